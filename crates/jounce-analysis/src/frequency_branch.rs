@@ -53,7 +53,7 @@ impl FrequencyBranch {
         let range = (RANGE[0] * frequency_hz, RANGE[1] * frequency_hz);
         let parameter = Parameter::new(model, &key, range.1 - range.0);
         let warm_start = WarmStart {
-            harvester: &parameter,
+            family: &parameter,
             kernel: &model.kernel,
             range,
             tolerance: TOLERANCE,

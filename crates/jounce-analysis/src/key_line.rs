@@ -2,7 +2,6 @@
 
 use super::parameter::check_periodic;
 use super::{AnalysisError, Model};
-use jounce_dynamics::ParameterSensitivity;
 use jounce_orbits::{ModelInstance, ParameterDerivatives, ParametricModel};
 use jounce_spec::NumericKey;
 
@@ -50,11 +49,8 @@ impl ParametricModel for KeyLine<'_> {
         self.base.kernel.control.count_harvester();
         let kernel = self.model(place)?.kernel;
         check_periodic(&kernel)?;
-        let change = self.ends.is_empty().then(|| ParameterDerivatives {
-            drift: ParameterSensitivity::default(),
-            steady: vec![0.0; kernel.plant.len()],
-            period_relative: 0.0,
-        });
+        let is_constant = self.ends.is_empty();
+        let change = is_constant.then(|| ParameterDerivatives::zero(kernel.plant.len()));
         Ok(ModelInstance { kernel, change })
     }
 

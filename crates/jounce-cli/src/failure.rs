@@ -1,7 +1,7 @@
 //! Failures of commands and their exit codes.
 
 use crate::option_names::on_command_line;
-use crate::output::{self, print};
+use crate::output::{self, line};
 use jounce::parts::{DesignError, Fault, StudyError};
 use jounce::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -80,7 +80,7 @@ impl Failure {
         };
         output::note(&text);
         if json {
-            print(&serde_json::json!({ "error": text, "exit_code": code, "faults": faults }));
+            line(&serde_json::json!({ "error": text, "exit_code": code, "faults": faults }));
         }
         ExitCode::from(code)
     }

@@ -52,17 +52,12 @@ pub fn note(text: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "{text}");
 }
 
-/// Prints one JSON value on stdout.
-pub fn print(value: &serde_json::Value) {
-    line(value);
-}
-
 /// Returns a result as JSON.
 pub fn to_json(result: &impl Serialize) -> Result<serde_json::Value, Failure> {
     serde_json::to_value(result).map_err(|error| Failure::Input(error.to_string()))
 }
 
-/// Prints a line on stdout.
+/// Prints a line, or one JSON value, on stdout.
 pub fn line(line: impl Display) {
     text(&format!("{line}\n"));
 }

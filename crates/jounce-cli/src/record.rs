@@ -7,7 +7,7 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::sync::OnceLock;
 
-/// Options that change no result; with a value, except `--json`.
+/// Options with a value that change no result.
 const WITHOUT_EFFECT: [&str; 4] = ["--out", "--threads", "--save-state", "--shard"];
 
 /// Commands whose files can be made again from their record.

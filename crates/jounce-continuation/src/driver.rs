@@ -71,7 +71,7 @@ impl Checkpoint {
     }
 }
 
-/// Continuation along a curve. All of its state is public.
+/// Continuation along a curve.
 #[derive(Debug)]
 pub struct Continuation<'f, F: Problem> {
     /// The problem.
@@ -222,8 +222,8 @@ impl<'f, F: Problem> Continuation<'f, F> {
         let direction = metric.unit(direction.clone());
         let tangent = tangent(&corrected.local, &metric, &direction)?;
         let turn = metric.inner(&tangent, &direction).clamp(-1.0, 1.0).acos();
-        let is_reversed = self.control.refuses(turn) && self.points > 0;
-        if is_reversed && !turns.is_corner(turn, self.length) {
+        let turns_too_far = self.control.refuses(turn) && self.points > 0;
+        if turns_too_far && !turns.is_corner(turn, self.length) {
             return None;
         }
         self.length = self.control.after(self.length, corrected.evaluations, turn);
@@ -233,7 +233,7 @@ impl<'f, F: Problem> Continuation<'f, F> {
             (&corrected.position, &tangent),
         );
         // The segment before a kink does not predict the curve beyond it.
-        self.behind = (!is_reversed).then_some(segment);
+        self.behind = (!turns_too_far).then_some(segment);
         self.position = corrected.position.clone();
         self.tangent = tangent.clone();
         self.points += 1;

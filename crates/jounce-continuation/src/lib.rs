@@ -21,7 +21,7 @@ mod step_control;
 mod tangent;
 
 pub use bracket::Bracket;
-pub use closed_loop::passes;
+pub use closed_loop::lies_between;
 pub use corrector::{CorrectedPoint, Corrector, correct, correct_at};
 pub use driver::{Checkpoint, Continuation, CurvePoint};
 pub use error::ContinuationError;

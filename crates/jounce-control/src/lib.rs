@@ -22,7 +22,7 @@ const PROGRESS_PARTS: u64 = 1000;
 /// Handle to a control; its clones refer to the same control.
 #[derive(Debug, Clone, Default)]
 pub struct Control {
-    stop_request: Arc<AtomicU8>,
+    request: Arc<AtomicU8>,
     /// Wall time of all runs, ns.
     wall_time_ns: Arc<AtomicU64>,
     counts: Arc<Counts>,
@@ -53,7 +53,7 @@ impl Control {
     #[must_use]
     pub fn apart(&self) -> Self {
         Self {
-            stop_request: Arc::clone(&self.stop_request),
+            request: Arc::clone(&self.request),
             wall_time_ns: Arc::clone(&self.wall_time_ns),
             ..Self::default()
         }
@@ -79,20 +79,20 @@ impl Control {
 
     /// Requests that the computation stops. Finished results are retained.
     pub fn stop(&self) {
-        self.stop_request.store(STOP_REQUEST, Ordering::Relaxed);
+        self.request.store(STOP_REQUEST, Ordering::Relaxed);
     }
 
     /// True after a stop request.
     #[inline]
     pub fn is_stopped(&self) -> bool {
         self.call_back();
-        self.stop_request.load(Ordering::Relaxed) == STOP_REQUEST
+        self.request.load(Ordering::Relaxed) == STOP_REQUEST
     }
 
     /// True without a pending request.
     #[inline(always)]
     pub fn is_quiet(&self) -> bool {
-        self.stop_request.load(Ordering::Relaxed) == NO_REQUEST
+        self.request.load(Ordering::Relaxed) == NO_REQUEST
     }
 
     /// Expects one run of this length, s, with thousandths as its parts.
@@ -106,7 +106,7 @@ impl Control {
     /// Requests that the run reports its time before its next step.
     pub fn request_progress(&self) {
         if self.counts.run_s.load(Ordering::Relaxed) != 0 {
-            let _ = self.stop_request.compare_exchange(
+            let _ = self.request.compare_exchange(
                 NO_REQUEST,
                 PROGRESS_REQUEST,
                 Ordering::Relaxed,
@@ -117,7 +117,7 @@ impl Control {
 
     /// Reports the current time of the run, s.
     pub fn report_progress(&self, time_s: f64) {
-        let _ = self.stop_request.compare_exchange(
+        let _ = self.request.compare_exchange(
             PROGRESS_REQUEST,
             NO_REQUEST,
             Ordering::Relaxed,

@@ -41,9 +41,9 @@ impl ForceBasis {
 pub struct Kernel {
     /// Plant.
     pub plant: Plant,
-    /// Quadratic forms of the energy meters, ...
+    /// Quadratic forms of the energy meters.
     quadratics: Arc<Quadratics>,
-    /// ... and the meters under the drives, computed at the first use.
+    /// Energy meters under the drives, computed at the first use.
     meters: OnceLock<Meters>,
     /// Rows and flows under the signals, computed at the first use.
     excitation: OnceLock<Arc<ExcitationTables>>,

@@ -5,7 +5,7 @@
 
 use jounce_data::read::{FileSummary, summary};
 use jounce_data::recording::{IssueKind, Series};
-use jounce_data::write::write_surveyed;
+use jounce_data::write::write_summary;
 use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{BufWriter, Write as _};
@@ -201,7 +201,7 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
         ("to CSV", "c.csv"),
     ] {
         let (peak, ()) = peak_of(before, || {
-            write_surveyed(&summary.recordings[0], &at(file), None)
+            write_summary(&summary.recordings[0], &at(file), None)
                 .unwrap_or_else(|fault| panic!("{fault}"))
         });
         peaks.push((name, peak));
@@ -216,8 +216,8 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
         ("UFF 58", "c.uff"),
         ("CSV", "c.csv"),
     ] {
-        let (peak, survey) = peak_of(before, || read(&at(file)));
-        let recording = &survey.recordings[0];
+        let (peak, summary) = peak_of(before, || read(&at(file)));
+        let recording = &summary.recordings[0];
         assert_eq!(
             recording.places.count() * recording.channels.len(),
             4 * rows,

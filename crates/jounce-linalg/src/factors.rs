@@ -38,7 +38,7 @@ impl CholeskyFactor {
 
 /// Returns the upper factor `R` of `A = R^T R` for a symmetric positive definite matrix; `None` for
 /// any other.
-pub fn cholesky(matrix: &Mat<f64>) -> Option<Mat<f64>> {
+pub fn upper_cholesky(matrix: &Mat<f64>) -> Option<Mat<f64>> {
     Some(matrix.clone().cholesky()?.l().transpose())
 }
 
@@ -118,7 +118,7 @@ mod tests {
     #[test]
     fn indefinite_matrices_have_no_cholesky_factor() {
         let matrix = |diagonal: f64| Mat::from_fn(2, 2, |i, j| if i == j { diagonal } else { 2.0 });
-        assert!(cholesky(&matrix(1.0)).is_none() && cholesky(&matrix(3.0)).is_some());
+        assert!(upper_cholesky(&matrix(1.0)).is_none() && upper_cholesky(&matrix(3.0)).is_some());
         let complex = |diagonal: f64| {
             complex_inverse_cholesky_factor(&matrix(diagonal).map(|x| c64::new(x, 0.0)))
         };

@@ -23,8 +23,9 @@ mod symmetric_eigen;
 
 pub use eigen::{Eigen, complex_eigenvalues, eigen, eigenvalues};
 pub use factors::{
-    CholeskyFactor, cholesky, complex_inverse_cholesky_factor, complex_right_singular,
+    CholeskyFactor, complex_inverse_cholesky_factor, complex_right_singular,
     inverse_cholesky_factor, orthogonal_factor, right_singular, singular_values, thin_qr,
+    upper_cholesky,
 };
 pub use lu::LuFactors;
 pub use slices::{

@@ -26,7 +26,9 @@ pub use orbit::turning_points::{
 };
 pub use parametric_model::{ModelInstance, ParameterDerivatives, ParametricModel};
 pub use shooting::evaluation::ShootingEvaluation;
-pub use shooting::{InstantSensitivity, OrbitInstant, OrbitSensitivity, Shooting, cycle_s};
+pub use shooting::{
+    FINER_TOLERANCE, InstantSensitivity, OrbitInstant, OrbitSensitivity, Shooting, cycle_s,
+};
 pub use tracking::{
     Condition, ExtendedEvaluation, ExtendedProblem, Gradient, GrazingPoint, TwoParameterProblem,
 };

@@ -22,6 +22,17 @@ pub struct ParameterDerivatives {
     pub period_relative: f64,
 }
 
+impl ParameterDerivatives {
+    /// Returns the derivatives where nothing changes, for so many states.
+    pub fn zero(states: usize) -> Self {
+        Self {
+            drift: ParameterSensitivity::default(),
+            steady: vec![0.0; states],
+            period_relative: 0.0,
+        }
+    }
+}
+
 /// Family of harvesters over one parameter.
 pub trait ParametricModel: Sync {
     /// Error of building a harvester at a value.

@@ -26,6 +26,7 @@
 //! DFT (2002).
 mod density;
 mod error;
+mod normal;
 mod orders;
 mod random;
 mod samples;
@@ -34,6 +35,7 @@ mod spectrum;
 mod window;
 
 pub use error::SignalError;
+pub use normal::{NORMAL_95, NORMAL_QUARTILE};
 pub use orders::{OrderLine, Orders};
 pub use random::RandomStream;
 pub use samples::Samples;

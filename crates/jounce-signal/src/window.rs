@@ -59,13 +59,4 @@ impl Window {
         };
         (0..n).map(value).collect()
     }
-
-    /// Returns the half width of the main lobe, in bins.
-    pub fn half_width_bins(self) -> usize {
-        match self {
-            Self::Rectangular => 1,
-            Self::Hann => 2,
-            Self::FlatTop => 5,
-        }
-    }
 }

@@ -1,6 +1,6 @@
 //! Eight numbers in memory.
 
-/// Numbers per vector: seven collocation nodes and the end of the step.
+/// Numbers per vector.
 pub const LANES: usize = 8;
 
 /// Eight numbers on one cache line.

@@ -10,7 +10,7 @@ pub trait Simd: Copy {
     type Register: Copy;
 
     /// Loads from memory.
-    fn load(self, lane: &F64x8) -> Self::Register;
+    fn load(self, numbers: &F64x8) -> Self::Register;
 
     /// Stores to memory.
     fn store(self, register: Self::Register) -> F64x8;
@@ -145,8 +145,8 @@ where
     }
 
     #[inline(always)]
-    fn load(self, lane: &F64x8) -> Self::Register {
-        cast(lane.0)
+    fn load(self, numbers: &F64x8) -> Self::Register {
+        cast(numbers.0)
     }
 
     #[inline(always)]

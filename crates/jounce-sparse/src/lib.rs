@@ -45,6 +45,8 @@ mod uncoupled;
 pub use entries::MatrixEntries;
 pub use error::SparseError;
 pub use factor::{Factor, Symbolic};
-pub use market::{MarketError, read_market, write_market_array, write_market_symmetric};
+pub use market::{
+    MAX_DIMENSION, MarketError, read_market, write_market_array, write_market_symmetric,
+};
 pub use matrix::SymmetricMatrix;
 pub use modes::{LowestModes, lowest_modes};

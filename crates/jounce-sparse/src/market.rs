@@ -26,7 +26,7 @@ fn fault(line: usize, message: impl Into<String>) -> MarketError {
 }
 
 /// Largest number of rows or columns.
-const MAX_SIZE: usize = 100_000_000;
+pub const MAX_DIMENSION: usize = 100_000_000;
 
 /// Words of the first line.
 struct Header {
@@ -144,11 +144,11 @@ fn sizes_of(
         .iter()
         .flatten()
         .take(2)
-        .find(|size| **size > MAX_SIZE)
+        .find(|size| **size > MAX_DIMENSION)
     {
         return Err(fault(
             line,
-            format!("{size} rows or columns; at most {MAX_SIZE} are read"),
+            format!("{size} rows or columns; at most {MAX_DIMENSION} are read"),
         ));
     }
     match (sizes.as_deref(), is_coordinate) {

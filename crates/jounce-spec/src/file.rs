@@ -38,7 +38,7 @@ impl SpecFile {
     /// Reads a file. [`SpecFile::spec`] reports the faults of its contents.
     ///
     /// # Errors
-    /// A path that is missing, a directory, not readable, larger than 16 MiB or not UTF-8 text.
+    /// A path that is missing, a folder, not readable, larger than 16 MiB or not UTF-8 text.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError> {
         let path = path.as_ref();
         let file = super::read_error::read_text(path).map(Self::from_text)?;
@@ -86,7 +86,7 @@ impl SpecFile {
     pub fn set(&mut self, key: &str, value: &str) -> Result<(), Fault> {
         let change = Override::new(&self.source.root, key, value, self.overrides.len());
         let change = change.map_err(|message| Fault {
-            set: Some(Override::quoted_value(key, value)),
+            set: Some(Override::option_text(key, value)),
             ..Fault::without_position(&clip(key), message)
         })?;
         change.apply(&mut self.source.root);

@@ -18,9 +18,9 @@ pub enum ReadError {
         /// the path
         path: PathBuf,
     },
-    /// The path is a directory.
-    #[error("{} is a directory; name the spec file in it", path.display())]
-    Directory {
+    /// The path is a folder.
+    #[error("{} is a folder; name the spec file in it", path.display())]
+    Folder {
         /// the path
         path: PathBuf,
     },
@@ -53,14 +53,14 @@ pub(super) fn read_text(path: &Path) -> Result<String, ReadError> {
     let owned = || path.to_path_buf();
     let unreadable = |source: std::io::Error| match source.kind() {
         std::io::ErrorKind::NotFound => ReadError::Missing { path: owned() },
-        std::io::ErrorKind::IsADirectory => ReadError::Directory { path: owned() },
+        std::io::ErrorKind::IsADirectory => ReadError::Folder { path: owned() },
         _ => ReadError::Unreadable {
             path: owned(),
             source,
         },
     };
     if path.is_dir() {
-        return Err(ReadError::Directory { path: owned() });
+        return Err(ReadError::Folder { path: owned() });
     }
     let mut bytes = Vec::new();
     // One byte more than allowed, so reading an endless device terminates.

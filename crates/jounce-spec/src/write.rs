@@ -1,8 +1,6 @@
 //! A spec as canonical TOML: every applicable key, in the order of the table of keys, in short
 //! units.
 
-use std::fmt::Write as _;
-
 use sha2::{Digest, Sha256};
 
 use super::key::{Key, Kind, Slot, applies};
@@ -15,8 +13,8 @@ impl Spec {
     /// Defaults are printed too; the spring of a mass is printed as its stiffness.
     ///
     /// # Validation
-    /// `tests/spec/round_trip.rs`: random specs with all laws, sides and structures come back
-    /// equal.
+    /// `crates/jounce-spec/tests/spec/round_trip.rs`: random specs with all laws, sides and
+    /// structures come back equal.
     pub fn to_toml(&self) -> String {
         let mut out = String::new();
         for key in SPEC {
@@ -48,13 +46,7 @@ impl Spec {
                     .for_each(|value| hasher.update(value.to_le_bytes()));
             }
         }
-        hasher
-            .finalize()
-            .iter()
-            .fold(String::new(), |mut hex, byte| {
-                write!(hex, "{byte:02x}").expect("writing to a string cannot fail");
-                hex
-            })
+        format!("{:x}", hasher.finalize())
     }
 }
 

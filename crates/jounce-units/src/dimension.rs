@@ -1,5 +1,6 @@
 //! Dimension of a unit: exponents of kg, m, s, A and rad.
 
+use super::quantity::Quantity;
 use std::fmt;
 
 /// Names of the base units, in the order of the exponents.
@@ -41,12 +42,13 @@ impl Dimension {
 
     /// Returns the kind with its article, `"a length"`; base units if the kind has no name here.
     pub fn kind(self) -> String {
-        let named = KINDS
-            .iter()
-            .find(|(_, exponents)| self.is(Self::new(*exponents)));
+        let others = OTHER_KINDS.map(|(kind, exponents)| (kind, Self::new(exponents)));
+        let of_keys = QUANTITIES.map(|quantity| (quantity.kind(), quantity.dimension()));
+        let mut named = others.iter().chain(&of_keys);
+        let named = named.find(|(_, dimension)| self.is(*dimension));
         let [kg, m, s, rest @ ..] = self.0;
         match named {
-            Some((name, _)) => (*name).to_owned(),
+            Some((kind, _)) => (*kind).to_owned(),
             None if Self([kg, 0.0, s, rest[0], rest[1]]).is(Self::new([1, 0, -2, 0, 0])) => {
                 format!("a contact stiffness in N/m^{}", rounded(1.0 - m))
             }
@@ -76,38 +78,43 @@ fn rounded(power: f64) -> f64 {
     (power * 1e9).round() / 1e9
 }
 
-/// Kinds that a user may have written instead: name, exponents of kg, m, s, A, rad.
-const KINDS: &[(&str, [i8; 5])] = &[
+/// Kinds that a user may have written instead and that no key has: name, exponents of kg, m, s, A,
+/// rad.
+const OTHER_KINDS: [(&str, [i8; 5]); 6] = [
     ("a plain number", [0, 0, 0, 0, 0]),
-    ("a length", [0, 1, 0, 0, 0]),
     ("an area", [0, 2, 0, 0, 0]),
-    ("a volume", [0, 3, 0, 0, 0]),
-    ("a mass", [1, 0, 0, 0, 0]),
-    ("a time", [0, 0, 1, 0, 0]),
-    ("a current", [0, 0, 0, 1, 0]),
-    ("an angle", [0, 0, 0, 0, 1]),
-    ("a frequency", [0, 0, -1, 0, 0]),
     ("an angular frequency", [0, 0, -1, 0, 1]),
-    ("a speed", [0, 1, -1, 0, 0]),
-    ("an inverse speed", [0, -1, 1, 0, 0]),
-    ("an acceleration", [0, 1, -2, 0, 0]),
-    ("a force", [1, 1, -2, 0, 0]),
-    ("a stiffness", [1, 0, -2, 0, 0]),
-    ("a damping coefficient", [1, 0, -1, 0, 0]),
-    ("a pressure", [1, -1, -2, 0, 0]),
-    ("a density", [1, -3, 0, 0, 0]),
-    ("a power spectral density of acceleration", [0, 2, -3, 0, 0]),
-    ("a power spectral density of force", [2, 2, -3, 0, 0]),
     ("an energy", [1, 2, -2, 0, 0]),
-    ("a power", [1, 2, -3, 0, 0]),
     ("a charge", [0, 0, 1, 1, 0]),
-    ("a voltage", [1, 2, -3, -1, 0]),
-    ("a resistance", [1, 2, -3, -2, 0]),
     ("a conductance", [-1, -2, 3, 2, 0]),
-    ("a capacitance", [-1, -2, 4, 2, 0]),
-    ("an inductance", [1, 2, -2, -2, 0]),
-    ("a rotary inertia", [1, 2, 0, 0, 0]),
-    ("a rotary stiffness", [1, 2, -2, 0, -1]),
-    ("a permittivity", [-1, -3, 4, 2, 0]),
-    ("a piezoelectric charge coefficient", [-1, -1, 3, 1, 0]),
+];
+
+/// Kinds of keys that a user may have written instead.
+const QUANTITIES: [Quantity; 26] = [
+    Quantity::Length,
+    Quantity::Volume,
+    Quantity::Mass,
+    Quantity::Time,
+    Quantity::Current,
+    Quantity::Angle,
+    Quantity::Frequency,
+    Quantity::Speed,
+    Quantity::InverseSpeed,
+    Quantity::Acceleration,
+    Quantity::Force,
+    Quantity::Stiffness,
+    Quantity::Damping,
+    Quantity::Pressure,
+    Quantity::Density,
+    Quantity::AccelerationPsd,
+    Quantity::ForcePsd,
+    Quantity::Power,
+    Quantity::Voltage,
+    Quantity::Resistance,
+    Quantity::Capacitance,
+    Quantity::Inductance,
+    Quantity::RotaryInertia,
+    Quantity::RotaryStiffness,
+    Quantity::Permittivity,
+    Quantity::ChargePerForce,
 ];

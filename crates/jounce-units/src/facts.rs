@@ -6,35 +6,51 @@ use super::quantity::Quantity;
 impl Quantity {
     /// Returns the kind with its article: `"a length"`.
     pub fn kind(self) -> &'static str {
+        self.kind_and_exponents().0
+    }
+
+    pub(super) fn dimension(self) -> Dimension {
+        let dimension = Dimension::new(self.kind_and_exponents().1);
         match self {
-            Self::Length => "a length",
-            Self::Mass => "a mass",
-            Self::Volume => "a volume",
-            Self::Time => "a time",
-            Self::Frequency => "a frequency",
-            Self::Force => "a force",
-            Self::Pressure => "a pressure",
-            Self::Density => "a density",
-            Self::ChargePerForce => "a piezoelectric charge coefficient",
-            Self::Capacitance => "a capacitance",
-            Self::Resistance => "a resistance",
-            Self::Stiffness => "a stiffness",
-            Self::ContactStiffness { .. } => "a contact stiffness",
-            Self::Damping => "a damping coefficient",
-            Self::InverseSpeed => "an inverse speed",
-            Self::Speed => "a speed",
-            Self::Acceleration => "an acceleration",
-            Self::AccelerationPsd => "a power spectral density of acceleration",
-            Self::ForcePsd => "a power spectral density of force",
-            Self::Angle => "an angle",
-            Self::RotaryInertia => "a rotary inertia",
-            Self::RotaryStiffness => "a rotary stiffness",
-            Self::Inductance => "an inductance",
-            Self::Permittivity => "a permittivity",
-            Self::Voltage => "a voltage",
-            Self::Current => "a current",
-            Self::Power => "a power",
-            Self::Strain => "a strain",
+            Self::ContactStiffness { exponent } => {
+                dimension.times(Self::Length.dimension(), 1.0 - exponent)
+            }
+            _ => dimension,
+        }
+    }
+
+    /// Returns the kind, and the exponents of kg, m, s, A and rad; of a contact stiffness those for
+    /// the exponent 1.
+    fn kind_and_exponents(self) -> (&'static str, [i8; 5]) {
+        match self {
+            Self::Length => ("a length", [0, 1, 0, 0, 0]),
+            Self::Mass => ("a mass", [1, 0, 0, 0, 0]),
+            Self::Volume => ("a volume", [0, 3, 0, 0, 0]),
+            Self::Time => ("a time", [0, 0, 1, 0, 0]),
+            Self::Frequency => ("a frequency", [0, 0, -1, 0, 0]),
+            Self::Force => ("a force", [1, 1, -2, 0, 0]),
+            Self::Pressure => ("a pressure", [1, -1, -2, 0, 0]),
+            Self::Density => ("a density", [1, -3, 0, 0, 0]),
+            Self::ChargePerForce => ("a piezoelectric charge coefficient", [-1, -1, 3, 1, 0]),
+            Self::Capacitance => ("a capacitance", [-1, -2, 4, 2, 0]),
+            Self::Resistance => ("a resistance", [1, 2, -3, -2, 0]),
+            Self::Stiffness => ("a stiffness", [1, 0, -2, 0, 0]),
+            Self::ContactStiffness { .. } => ("a contact stiffness", [1, 0, -2, 0, 0]),
+            Self::Damping => ("a damping coefficient", [1, 0, -1, 0, 0]),
+            Self::InverseSpeed => ("an inverse speed", [0, -1, 1, 0, 0]),
+            Self::Speed => ("a speed", [0, 1, -1, 0, 0]),
+            Self::Acceleration => ("an acceleration", [0, 1, -2, 0, 0]),
+            Self::AccelerationPsd => ("a power spectral density of acceleration", [0, 2, -3, 0, 0]),
+            Self::ForcePsd => ("a power spectral density of force", [2, 2, -3, 0, 0]),
+            Self::Angle => ("an angle", [0, 0, 0, 0, 1]),
+            Self::RotaryInertia => ("a rotary inertia", [1, 2, 0, 0, 0]),
+            Self::RotaryStiffness => ("a rotary stiffness", [1, 2, -2, 0, -1]),
+            Self::Inductance => ("an inductance", [1, 2, -2, -2, 0]),
+            Self::Permittivity => ("a permittivity", [-1, -3, 4, 2, 0]),
+            Self::Voltage => ("a voltage", [1, 2, -3, -1, 0]),
+            Self::Current => ("a current", [0, 0, 0, 1, 0]),
+            Self::Power => ("a power", [1, 2, -3, 0, 0]),
+            Self::Strain => ("a strain", [0, 0, 0, 0, 0]),
         }
     }
 
@@ -115,42 +131,6 @@ impl Quantity {
     pub(super) fn expectation(self) -> String {
         let units = self.units();
         format!("expected {} in {}", self.kind(), units.join(", "))
-    }
-
-    pub(super) fn dimension(self) -> Dimension {
-        let newton_per_metre = Dimension::new([1, 0, -2, 0, 0]);
-        Dimension::new(match self {
-            Self::Length => [0, 1, 0, 0, 0],
-            Self::Volume => [0, 3, 0, 0, 0],
-            Self::Mass => [1, 0, 0, 0, 0],
-            Self::Time => [0, 0, 1, 0, 0],
-            Self::Frequency => [0, 0, -1, 0, 0],
-            Self::Force => [1, 1, -2, 0, 0],
-            Self::Pressure => [1, -1, -2, 0, 0],
-            Self::Density => [1, -3, 0, 0, 0],
-            Self::ChargePerForce => [-1, -1, 3, 1, 0],
-            Self::Capacitance => [-1, -2, 4, 2, 0],
-            Self::Resistance => [1, 2, -3, -2, 0],
-            Self::Stiffness => return newton_per_metre,
-            Self::ContactStiffness { exponent } => {
-                return newton_per_metre.times(Dimension::new([0, 1, 0, 0, 0]), 1.0 - exponent);
-            }
-            Self::Damping => [1, 0, -1, 0, 0],
-            Self::InverseSpeed => [0, -1, 1, 0, 0],
-            Self::Speed => [0, 1, -1, 0, 0],
-            Self::Acceleration => [0, 1, -2, 0, 0],
-            Self::AccelerationPsd => [0, 2, -3, 0, 0],
-            Self::ForcePsd => [2, 2, -3, 0, 0],
-            Self::Angle => [0, 0, 0, 0, 1],
-            Self::RotaryInertia => [1, 2, 0, 0, 0],
-            Self::RotaryStiffness => [1, 2, -2, 0, -1],
-            Self::Inductance => [1, 2, -2, -2, 0],
-            Self::Permittivity => [-1, -3, 4, 2, 0],
-            Self::Voltage => [1, 2, -3, -1, 0],
-            Self::Current => [0, 0, 0, 1, 0],
-            Self::Power => [1, 2, -3, 0, 0],
-            Self::Strain => [0, 0, 0, 0, 0],
-        })
     }
 
     /// Returns the units for printing with their powers of ten relative to SI, ascending.

@@ -30,4 +30,5 @@ pub use clip::clip;
 pub use decimal::Decimal;
 pub use error::QuantityError;
 pub use quantity::{Quantity, is_unit};
+pub use symbol::STANDARD_GRAVITY_M_S2;
 pub use unit_symbols::UnitSymbols;

@@ -81,8 +81,8 @@ impl Quantity {
     /// kind.
     ///
     /// # Validation
-    /// `units::quantity::tests::values_are_the_nearest_floats`: bit for bit the literal wherever
-    /// the factor is a power of ten.
+    /// `crates/jounce-units/src/quantity/tests.rs`: bit for bit the literal wherever the factor is
+    /// a power of ten.
     ///
     /// ```
     /// use jounce_units::Quantity;

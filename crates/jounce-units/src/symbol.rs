@@ -35,12 +35,15 @@ const PREFIXED: &[(&[&str], [i8; 5], i32)] = &[
 /// Parts of one, without prefix: names and the power of ten.
 const PARTS: &[(&str, i32)] = &[("%", -2), ("ppm", -6)];
 
+/// Standard acceleration of free fall, the unit g (NIST SP 811).
+pub const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
+
 /// Symbols that take no prefix: names, exponents, `up / down`.
 const PLAIN: &[(&[&str], [i8; 5], f64, f64)] = &[
     (&["min"], [0, 0, 1, 0, 0], 60.0, 1.0),
     (&["h"], [0, 0, 1, 0, 0], 3600.0, 1.0),
     (&["rpm"], [0, 0, -1, 0, 0], 1.0, 60.0),
-    (&["gn"], [0, 1, -2, 0, 0], 9.80665, 1.0),
+    (&["gn"], [0, 1, -2, 0, 0], STANDARD_GRAVITY_M_S2, 1.0),
     (
         &["deg", "\u{b0}"],
         [0, 0, 0, 0, 1],

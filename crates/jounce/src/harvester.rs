@@ -11,6 +11,9 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
+/// Key of the relative tolerance of the integration.
+const TOLERANCE: &str = "run.tolerance";
+
 /// A harvester: a valid spec, and the computations on it.
 ///
 /// ```
@@ -134,22 +137,27 @@ impl Harvester {
         self.hash_hex.get_or_init(|| self.spec.hash_hex())
     }
 
+    /// Checks a tolerance of the integration that replaces the one of the spec.
+    pub(crate) fn check_tolerance(&self, tolerance: f64) -> Result<(), Error> {
+        if self.file.sets(TOLERANCE) {
+            let expected = format!("{TOLERANCE} is set too; omit one of them");
+            return Err(Error::option("tolerance", tolerance, expected));
+        }
+        let (low, high) = NumericKey::find(self.spec(), TOLERANCE)?.limits();
+        if !(low..=high).contains(&tolerance) {
+            let expected = format!("it must be from {low:e} to {high}");
+            return Err(Error::option("tolerance", tolerance, expected));
+        }
+        Ok(())
+    }
+
     /// Returns a copy with a tolerance of the integration; `None` keeps the one of the spec.
     pub(crate) fn with_tolerance(&self, tolerance: Option<f64>) -> Result<Self, Error> {
         let Some(tolerance) = tolerance else {
             return Ok(self.clone());
         };
-        let key = "run.tolerance";
-        if self.file.sets(key) {
-            let expected = format!("{key} is set too; omit one of them");
-            return Err(Error::option("tolerance", tolerance, expected));
-        }
-        let (low, high) = NumericKey::find(self.spec(), key)?.limits();
-        if !(low..=high).contains(&tolerance) {
-            let expected = format!("it must be from {low:e} to {high}");
-            return Err(Error::option("tolerance", tolerance, expected));
-        }
-        self.changed([(key, format!("{tolerance:e}").as_str())])
+        self.check_tolerance(tolerance)?;
+        self.changed([(TOLERANCE, format!("{tolerance:e}").as_str())])
     }
 
     /// Returns the value of a key with a number.

@@ -84,14 +84,12 @@ pub(crate) fn defaults<O: Args + FromArgMatches>() -> O {
 
 /// Reads a time with its unit, s.
 pub(crate) fn time_s(text: &str) -> Result<f64, String> {
-    Quantity::Time.read(text).map_err(|error| error.to_string())
+    si(Quantity::Time)(text)
 }
 
 /// Reads a frequency with its unit, Hz.
 pub(crate) fn frequency_hz(text: &str) -> Result<f64, String> {
-    Quantity::Frequency
-        .read(text)
-        .map_err(|error| error.to_string())
+    si(Quantity::Frequency)(text)
 }
 
 /// Returns a reader of a quantity with its unit, in SI.
@@ -120,16 +118,14 @@ pub(crate) fn refuse_changed<O: Default + serde::Serialize>(
         Some(items) => items.iter().map(text).collect::<Vec<_>>().join(" "),
         None => text(&values[*field]),
     };
-    let units = ["_hz", "_kg", "_n", "_s"];
+    let units = ["_f", "_hz", "_kg", "_m", "_n", "_ohm", "_s"];
     let option = units.iter().find_map(|unit| field.strip_suffix(unit));
     Err(Error::option(option.unwrap_or(field), value, expected))
 }
 
 /// Reads a resistance with its unit, ohm.
 pub(crate) fn resistance_ohm(text: &str) -> Result<f64, String> {
-    Quantity::Resistance
-        .read(text)
-        .map_err(|error| error.to_string())
+    si(Quantity::Resistance)(text)
 }
 
 /// Reads two quantities of an option, as in `0.2s:3s`.
@@ -140,7 +136,7 @@ pub(crate) fn ends(text: &str, quantity: Quantity) -> Result<(f64, f64), String>
     };
     let usage = || format!("write FROM:TO, as in {example}, the smaller one first");
     let (from, to) = text.split_once(':').ok_or_else(usage)?;
-    let read = |text: &str| quantity.read(text).map_err(|error| error.to_string());
+    let read = si(quantity);
     let (from, to) = (read(from)?, read(to)?);
     if from < to {
         Ok((from, to))

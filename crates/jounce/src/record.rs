@@ -35,7 +35,7 @@ pub fn file_sha256(path: &Path) -> std::io::Result<String> {
     loop {
         let count = input.read(&mut buffer)?;
         if count == 0 {
-            return Ok(hexadecimal(hash));
+            return Ok(format!("{:x}", hash.finalize()));
         }
         hash.update(&buffer[..count]);
     }
@@ -43,12 +43,7 @@ pub fn file_sha256(path: &Path) -> std::io::Result<String> {
 
 /// Returns the SHA-256 of a text in hexadecimal.
 pub fn text_sha256(text: &str) -> String {
-    hexadecimal(Sha256::new_with_prefix(text.as_bytes()))
-}
-
-fn hexadecimal(hash: Sha256) -> String {
-    let digest = hash.finalize();
-    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+    format!("{:x}", Sha256::digest(text.as_bytes()))
 }
 
 /// Returns an argument and the values after its equals signs.

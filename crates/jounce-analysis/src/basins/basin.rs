@@ -70,7 +70,7 @@ impl Basins<'_> {
     /// Returns the index and the steady state of each start.
     fn ends(&self, line: &KeyLine<'_>, kernel: &Kernel) -> Vec<(usize, SteadyState)> {
         let recognizer = Recognizer {
-            harvester: line,
+            family: line,
             kernel,
             parameter: 0.0,
             options: self.recognition,

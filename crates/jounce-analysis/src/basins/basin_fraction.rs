@@ -2,10 +2,8 @@
 //!
 //! Source: E. B. Wilson, J. Am. Stat. Assoc. 22 (1927) 209.
 
+use jounce_signal::NORMAL_95;
 use serde::Serialize;
-
-/// Normal quantile of a two-sided interval of 95 %.
-pub(super) const QUANTILE_95: f64 = 1.959_963_984_540_054;
 
 /// A fraction and its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -27,7 +25,7 @@ pub fn wilson(hits: usize, of: usize) -> BasinFraction {
             high: 1.0,
         };
     }
-    let (n, z) = (of as f64, QUANTILE_95);
+    let (n, z) = (of as f64, NORMAL_95);
     let p = hits as f64 / n;
     let middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
     let half = z * (p * (1.0 - p) / n + z * z / (4.0 * n * n)).sqrt() / (1.0 + z * z / n);
@@ -50,7 +48,7 @@ mod tests {
             let share = wilson(hits, of);
             for end in [share.low, share.high] {
                 let gap = (share.fraction - end).powi(2)
-                    - QUANTILE_95.powi(2) * end * (1.0 - end) / of as f64;
+                    - NORMAL_95.powi(2) * end * (1.0 - end) / of as f64;
                 assert!(gap.abs() < 1e-14, "{hits} of {of}: {share:?}");
             }
         }

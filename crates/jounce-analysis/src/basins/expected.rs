@@ -15,7 +15,7 @@
 //! Source: E. B. Wilson, J. Am. Stat. Assoc. 22 (1927) 209; the Lagrange multipliers for more than
 //! two fractions are our derivation.
 
-use super::basin_fraction::QUANTILE_95;
+use jounce_signal::NORMAL_95;
 
 /// Largest number of bisections of the logarithm of the distance from a power to `l`.
 const MAX_HALVINGS: usize = 200;
@@ -31,7 +31,7 @@ pub fn expected_power_w(observed: &[(usize, f64)]) -> [f64; 3] {
         .iter()
         .map(|(count, power)| (*count as f64 / of as f64, *power))
         .collect();
-    let bound = 1.0 + QUANTILE_95.powi(2) / of as f64;
+    let bound = 1.0 + NORMAL_95.powi(2) / of as f64;
     let expected = shares.iter().map(|(q, power)| q * power).sum();
     [expected, lowest(&shares, bound), highest(&shares, bound)]
 }
@@ -166,7 +166,7 @@ mod tests {
                     .zip(&shares)
                     .map(|((n, _), p)| (*n as f64 - of * p).powi(2) / (of * p))
                     .sum();
-                if score <= QUANTILE_95.powi(2) {
+                if score <= NORMAL_95.powi(2) {
                     let mean: f64 = observed
                         .iter()
                         .zip(&shares)

@@ -7,7 +7,7 @@ use super::key_plane::KeyPlane;
 use super::search::BifurcationSearch;
 use jounce_continuation::{
     Continuation, CorrectedPoint, Corrector, Direction, Metric, Position, StepControl, correct,
-    correct_at, passes,
+    correct_at, lies_between,
 };
 use jounce_orbits::{Condition, ExtendedEvaluation, ExtendedProblem, multipliers};
 
@@ -288,7 +288,7 @@ fn closure_of(
         CurveClosure::Onwards
     };
     let is_other_arm = sense == CurveClosure::Backwards && condition == Condition::Multiplier(1.0);
-    (passes(metric, origin, before, after) && !is_other_arm).then_some(sense)
+    (lies_between(metric, origin, before, after) && !is_other_arm).then_some(sense)
 }
 
 /// True where the maximum of power merges with a minimum; adds the message.

@@ -21,7 +21,7 @@ const MAX_EVALUATIONS: u32 = 6;
 #[derive(Debug)]
 pub struct BranchUpdate<'s> {
     /// Family of models of the new design.
-    pub harvester: &'s Parameter<'s>,
+    pub family: &'s Parameter<'s>,
     /// Kernel of one of these models.
     pub kernel: &'s Kernel,
     /// Range of the key of the known branches.
@@ -77,7 +77,7 @@ impl BranchUpdate<'_> {
         updated: &mut UpdatedBranches,
     ) {
         let shooting = Shooting::new(
-            self.harvester,
+            self.family,
             self.kernel,
             branch.period_cycles,
             self.tolerance,

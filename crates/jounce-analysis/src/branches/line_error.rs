@@ -21,20 +21,17 @@ use super::events::{Interpolant, slope_distance};
 use crate::Parameter;
 use jounce_continuation::{Direction, Metric, Position, Problem, tangent};
 use jounce_dynamics::Kernel;
-use jounce_orbits::Shooting;
+use jounce_orbits::{FINER_TOLERANCE, Shooting};
 use rayon::prelude::*;
 
 /// Scale of the logarithm of the power in the drawing.
 const LEVEL_SCALE: f64 = 0.2;
 
-/// Tolerance of the integrations that show the errors, relative to that of the points.
-const FINER: f64 = 0.1;
-
 /// Errors of the lines of branches.
 #[derive(Debug)]
 pub struct LineErrors<'s> {
     /// Family of models over the key.
-    pub harvester: &'s Parameter<'s>,
+    pub family: &'s Parameter<'s>,
     /// Kernel of one of these models.
     pub kernel: &'s Kernel,
     /// Ends of the range of the key.
@@ -59,8 +56,8 @@ impl LineErrors<'_> {
     /// Returns the largest distance of each line between two neighbouring points from the curve;
     /// infinite where it is not known.
     pub fn of(&self, branch: &Branch) -> Vec<f64> {
-        let (cycles, tolerance) = (branch.period_cycles, FINER * self.tolerance);
-        let shooting = Shooting::new(self.harvester, self.kernel, cycles, tolerance);
+        let (cycles, tolerance) = (branch.period_cycles, FINER_TOLERANCE * self.tolerance);
+        let shooting = Shooting::new(self.family, self.kernel, cycles, tolerance);
         let points = branch.points.par_iter();
         let drawn: Vec<_> = points.map(|point| self.drawn(&shooting, point)).collect();
         let error = |pair: &[Option<DrawnPoint>]| match pair {

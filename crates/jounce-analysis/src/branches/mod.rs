@@ -16,5 +16,6 @@ pub use branch_update::{BranchUpdate, Extrapolation, UpdatedBranches};
 pub use events::{NotProved, ProofGap, QuantityLevel};
 pub use line_error::LineErrors;
 pub use options::BranchOptions;
+pub(crate) use search::SAME_ORBIT_DISTANCE;
 pub use search::{BranchSearch, OrbitMethodKind};
 pub use warm_start::{KnownOrbit, WarmStart};

@@ -5,9 +5,9 @@
 //! are not found: [`BranchSearch`](super::BranchSearch) finds those.
 
 use super::branch::Branch;
-use super::branch_tracer::tracer::{BranchTracer, newton_tolerance};
+use super::branch_tracer::tracer::BranchTracer;
 use crate::{AnalysisError, Parameter};
-use jounce_continuation::{Corrector, Metric, Position, StepControl, correct_at};
+use jounce_continuation::{Metric, Position, StepControl, correct_at};
 use jounce_dynamics::Kernel;
 use jounce_orbits::{Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting};
 
@@ -49,7 +49,7 @@ impl KnownOrbit {
 #[derive(Debug)]
 pub struct WarmStart<'s> {
     /// Family of models over the key.
-    pub harvester: &'s Parameter<'s>,
+    pub family: &'s Parameter<'s>,
     /// Kernel of one of these models.
     pub kernel: &'s Kernel,
     /// Ends of the range of the key.
@@ -69,24 +69,17 @@ impl WarmStart<'_> {
     /// # Errors
     /// [`OrbitError`].
     pub fn run(&self, known: &[KnownOrbit]) -> Result<Vec<Branch>, OrbitError<AnalysisError>> {
-        let target_residual = newton_tolerance(self.tolerance);
         let tracer = BranchTracer {
-            range: self.range,
-            corrector: Corrector {
-                goal: target_residual,
-                most: 8,
-            },
             control: self.control,
             most_points: 2000,
-            budget: usize::MAX,
             resolution: self.resolution,
-            levels: Vec::new(),
+            ..BranchTracer::new(self.range, self.tolerance)
         };
         let mut branches: Vec<Branch> = Vec::new();
         for orbit in known {
             let parameter = orbit.parameter.clamp(self.range.0, self.range.1);
             let shooting = Shooting::new(
-                self.harvester,
+                self.family,
                 self.kernel,
                 orbit.period_cycles,
                 self.tolerance,

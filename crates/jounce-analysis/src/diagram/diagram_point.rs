@@ -1,6 +1,7 @@
 //! End of one integration at one value of the key.
 
 use super::SectionPoint;
+use crate::branches::SAME_ORBIT_DISTANCE;
 use crate::{
     AnalysisError, AttractorKind, Model, Parameter, Recognition, Recognizer, SteadyState,
     SweepDirection,
@@ -8,10 +9,6 @@ use crate::{
 use jounce_dynamics::{IntegrationError, Integrator, Kernel};
 use jounce_orbits::{Orbit, ParametricModel, Shooting};
 use serde::{Deserialize, Serialize};
-
-/// Relative distance of two sections, below which they belong to one orbit; far above the error of
-/// an orbit.
-const SAME_ORBIT_DISTANCE: f64 = 1e-4;
 
 /// Result of an integration at one value.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -77,7 +74,7 @@ impl DiagramPoint {
         };
         let options = Recognition::at(tolerance);
         let steady_state = Recognizer {
-            harvester: parameter,
+            family: parameter,
             kernel: &kernel,
             parameter: value,
             options,

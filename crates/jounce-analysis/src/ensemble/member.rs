@@ -130,21 +130,9 @@ impl Member {
         (batches_w, stops): (Vec<f64>, Vec<MemberStop>),
         statistics: &ContactStatistics,
     ) -> Self {
-        let delivered = |energies: &Energies| {
-            let rectified = energies
-                .rectified
-                .iter()
-                .map(|energy| energy.load_j + energy.battery_j);
-            energies
-                .loads_j
-                .iter()
-                .copied()
-                .chain(rectified)
-                .collect::<Vec<f64>>()
-        };
-        let loads_w: Vec<f64> = delivered(energies)
-            .iter()
-            .zip(delivered(opened))
+        let loads_w: Vec<f64> = energies
+            .delivered_per_element_j()
+            .zip(opened.delivered_per_element_j())
             .map(|(end, start)| (end - start) / window_s)
             .collect();
         Self {

@@ -40,7 +40,7 @@ impl AdaptedNorm {
                 return None;
             }
             if term.norm() < NEGLIGIBLE_TERM * sum.norm() {
-                let factor = jounce_linalg::cholesky(&sum)?;
+                let factor = jounce_linalg::upper_cholesky(&sum)?;
                 let inverse = jounce_linalg::inverse(&factor);
                 return Some(Self { factor, inverse });
             }

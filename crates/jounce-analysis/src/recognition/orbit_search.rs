@@ -41,7 +41,7 @@ pub enum SearchOutcome {
 /// Search for orbits at one value of the parameter.
 #[derive(Debug, Clone, Copy)]
 pub struct OrbitSearch<'h, H> {
-    pub harvester: &'h H,
+    pub family: &'h H,
     pub kernel: &'h Kernel,
     pub parameter: f64,
     /// Length of the drive cycle, s.
@@ -86,7 +86,7 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
     ) -> Option<SearchOutcome> {
         let (tolerance, physical) = (motion.tolerance, motion.physical());
         let shooting =
-            Shooting::new(self.harvester, self.kernel, cycles, tolerance).charged_as(&physical);
+            Shooting::new(self.family, self.kernel, cycles, tolerance).charged_as(&physical);
         let (shooting, orbit, shot) = match self.newton(shooting, &motion.state) {
             Ok(found) => found,
             // The flow has no derivative where a point comes to rest, or where two rigid stops are
@@ -201,7 +201,7 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
         let cycles = (1..=cycles)
             .filter(|least| cycles.is_multiple_of(*least))
             .find(|least| has_settled(motion, *least))?;
-        let shooting = Shooting::new(self.harvester, self.kernel, cycles, motion.tolerance);
+        let shooting = Shooting::new(self.family, self.kernel, cycles, motion.tolerance);
         let orbit = shooting
             .integrated_orbit(&motion.physical(), self.parameter)
             .ok()?;

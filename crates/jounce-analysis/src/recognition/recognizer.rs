@@ -75,7 +75,7 @@ impl Recognition {
 #[derive(Debug)]
 pub struct Recognizer<'h, H: ParametricModel> {
     /// Family of models.
-    pub harvester: &'h H,
+    pub family: &'h H,
     /// Kernel of the model at the value.
     pub kernel: &'h Kernel,
     /// Value of the parameter.
@@ -103,12 +103,12 @@ impl<H: ParametricModel> Recognizer<'_, H> {
     ) -> Result<SteadyState, SensitivityError> {
         let Recognition {
             tolerance,
-            goal: target_residual,
+            goal,
             longest_period,
             max_cycles,
             examines_chaos,
         } = self.options;
-        let scale = Shooting::new(self.harvester, self.kernel, 1, tolerance).scale;
+        let scale = Shooting::new(self.family, self.kernel, 1, tolerance).scale;
         let mut motion = Transient::from(
             self.kernel,
             start,
@@ -116,11 +116,11 @@ impl<H: ParametricModel> Recognizer<'_, H> {
             (tolerance, longest_period),
         )?;
         let mut search = OrbitSearch {
-            harvester: self.harvester,
+            family: self.family,
             kernel: self.kernel,
             parameter: self.parameter,
             cycle_s,
-            goal: target_residual,
+            goal,
         };
         let mut orbits = known.to_vec();
         let (mut entry, mut next_search): (Option<BallEntry>, u32) = (None, FIRST_SEARCH_CYCLES);

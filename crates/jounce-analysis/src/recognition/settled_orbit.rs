@@ -18,18 +18,18 @@ const MAX_EVALUATIONS: u32 = 12;
 
 /// Returns the stable orbit that the motion from `start` (physical) reaches, provided it can be
 /// followed: it does not rest on a rigid stop. `None` where no orbit is proved to be reached.
-/// `goal` is the goal of Newton's method, relative to the state.
+/// `correction_goal` is the goal of Newton's method, relative to the state.
 pub fn settled_orbit<H: ParametricModel>(
-    harvester: &H,
+    family: &H,
     parameter: f64,
     start: &[f64],
     tolerance: f64,
-    target_residual: f64,
+    correction_goal: f64,
 ) -> Option<Orbit> {
-    let orbit = settled_orbits(harvester, parameter, &[start.to_vec()], tolerance).pop()??;
-    let setting = harvester.at(parameter).ok()?;
-    let physical = Shooting::new(harvester, &setting.kernel, 1, tolerance).physical(orbit.start());
-    let shooting = Shooting::new(harvester, &setting.kernel, orbit.period_cycles, tolerance)
+    let orbit = settled_orbits(family, parameter, &[start.to_vec()], tolerance).pop()??;
+    let setting = family.at(parameter).ok()?;
+    let physical = Shooting::new(family, &setting.kernel, 1, tolerance).physical(orbit.start());
+    let shooting = Shooting::new(family, &setting.kernel, orbit.period_cycles, tolerance)
         .charged_as(&physical);
     let position = Position {
         unknown: orbit.start().to_vec(),
@@ -39,7 +39,7 @@ pub fn settled_orbit<H: ParametricModel>(
     let corrected = correct_at(
         &shooting,
         &Corrector {
-            goal: target_residual,
+            goal: correction_goal,
             most: MAX_EVALUATIONS,
         },
         &metric,
@@ -52,13 +52,13 @@ pub fn settled_orbit<H: ParametricModel>(
 /// Returns for each physical start the stable orbit that it reaches, provided it can be followed
 /// and no earlier start reached it.
 pub fn settled_orbits<H: ParametricModel>(
-    harvester: &H,
+    family: &H,
     parameter: f64,
     starts: &[Vec<f64>],
     tolerance: f64,
 ) -> Vec<Option<Orbit>> {
     let none = vec![None; starts.len()];
-    let Ok(setting) = harvester.at(parameter) else {
+    let Ok(setting) = family.at(parameter) else {
         return none;
     };
     if setting.kernel.plant.period_s().is_none() {
@@ -69,7 +69,7 @@ pub fn settled_orbits<H: ParametricModel>(
         ..Recognition::at(tolerance.max(RECOGNITION_TOLERANCE))
     };
     let recognizer = Recognizer {
-        harvester,
+        family,
         kernel: &setting.kernel,
         parameter,
         options,

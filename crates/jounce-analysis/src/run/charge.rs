@@ -11,9 +11,10 @@
 //! voltage `V`), from its voltage integrated step by step over the record. The two sides have only
 //! the motion in common.
 //!
-//! Validation: `tests/integrate/circuits/charges.rs`, 4e-15 with a bridge and both kinds of SSHI, with a stop,
-//! and with diodes whose current decays within 1e-9 to 1/4000 of a step; `tests/impact_examples`,
-//! 2e-13 with a storage of 2000 times the patch.
+//! Validation: `crates/jounce-analysis/tests/integrate/circuits/charges.rs`, 4e-15 with a bridge
+//! and both kinds of SSHI, with a stop, and with diodes whose current decays within 1e-9 to 1/4000
+//! of a step; `crates/jounce-analysis/tests/impact_examples`, 2e-13 with a storage of 2000 times
+//! the patch.
 
 use super::{RunPlan, RunResult};
 use jounce_dynamics::Kernel;

@@ -10,8 +10,8 @@
 //! its outer face; a displacement is relative to the base of its body. The window is that of
 //! [`RunResult::peak_window_s`].
 //!
-//! Validation: `tests/integrate/circuits/voltage_peak.rs`, 5e-16 of the closed form without contact; with
-//! impacts a hundred thousand samples find no higher value.
+//! Validation: `crates/jounce-analysis/tests/integrate/circuits/voltage_peak.rs`, 5e-16 of the
+//! closed form without contact; with impacts a hundred thousand samples find no higher value.
 
 use super::RunResult;
 use super::extremes::RecordWindow;

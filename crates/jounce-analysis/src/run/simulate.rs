@@ -160,7 +160,7 @@ fn rectified(
         let mean = |of: fn(&RectifiedEnergies) -> f64| {
             change(&|energies, _| energies.rectified.get(k).map_or(0.0, of)) / average_over_s
         };
-        let mean_power_w = mean(|of_bridge| of_bridge.load_j + of_bridge.battery_j);
+        let mean_power_w = mean(RectifiedEnergies::delivered_j);
         // The conductance across the storage draws its power from the square of the voltage.
         let conductance_w = match bridge.regulator() {
             Some(_) => mean(|of_bridge| of_bridge.idle_j),

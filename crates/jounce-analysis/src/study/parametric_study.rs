@@ -9,7 +9,6 @@ use jounce_control::Control;
 use jounce_io::table::{Column, Manifest, Table};
 use jounce_spec::{Fault, Spec, SpecFile};
 use sha2::{Digest, Sha256};
-use std::fmt::Write as _;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -246,10 +245,5 @@ fn digest(spec: &str, parsed: &StudyText) -> String {
         parsed.points_per_part,
         parsed.quantity
     );
-    Sha256::digest(all.as_bytes())
-        .iter()
-        .fold(String::new(), |mut text, byte| {
-            let _ = write!(text, "{byte:02x}");
-            text
-        })
+    format!("{:x}", Sha256::digest(all.as_bytes()))
 }

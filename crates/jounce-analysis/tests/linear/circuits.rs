@@ -2,7 +2,7 @@
 //! patches.
 
 use jounce_linalg::c64;
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::plant::{Connection, Load, Meters, Plant, System};
 use jounce_model::structure::{Modes, PatchModes};
 use jounce_spec::Wiring;
@@ -176,7 +176,7 @@ fn solve(mut rows: Vec<Vec<c64>>) -> Vec<c64> {
 /// Every wiring of unequal patches, with and without an inductor.
 #[test]
 fn voltages_solve_the_circuit_equations() {
-    let outputs = NAMES.map(|name| FrfResponse::Voltage(name.into()));
+    let outputs = NAMES.map(|name| FrfOutput::Voltage(name.into()));
     let mut worst = 0.0_f64;
     for patches in [
         &[("a", 1.0), ("b", -1.0)][..],

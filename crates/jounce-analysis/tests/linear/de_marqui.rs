@@ -3,7 +3,7 @@
 
 use crate::expected::{peak, plant, spec};
 use crate::rows::check_row;
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::plant::Plant;
 use jounce_model::structure::modes;
 use std::f64::consts::TAU;
@@ -56,8 +56,8 @@ fn the_narrow_plate_responds_as_the_beam() {
         .collect();
     let response = |plant: &Plant, point: &str| {
         let wanted = [
-            FrfResponse::LoadVoltage("load".into()),
-            FrfResponse::Displacement(point.into()),
+            FrfOutput::LoadVoltage("load".into()),
+            FrfOutput::Displacement(point.into()),
         ];
         frf(plant, &FrfInput::BaseAcceleration, &wanted, &hertz).unwrap()
     };

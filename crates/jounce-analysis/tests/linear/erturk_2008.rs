@@ -2,7 +2,7 @@
 
 use crate::expected::{best_resistance, check, peak, plant, spec, voltage_per_g};
 use jounce_linalg::c64;
-use jounce_model::linear::{FrfInput, FrfResponse, couplings, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, couplings, frf};
 use jounce_model::reference::Cantilever;
 use jounce_model::structure::modes;
 use jounce_model::structure::section::{CrossSection, patch_moment_n_m_per_v};
@@ -126,8 +126,8 @@ fn voltage_and_motion_are_the_closed_form() {
             })
             .sum();
         let outputs = [
-            FrfResponse::Voltage("ceramic".into()),
-            FrfResponse::Displacement("beam.end".into()),
+            FrfOutput::Voltage("ceramic".into()),
+            FrfOutput::Displacement("beam.end".into()),
         ];
         let responses = frf(
             &plant,

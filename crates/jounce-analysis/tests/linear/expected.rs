@@ -3,7 +3,7 @@
 use crate::example::G_M_S2;
 pub use crate::example::{plant, spec};
 pub use crate::rows::check;
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::plant::Plant;
 
 /// Voltage of the load per g of the base, V zero to peak.
@@ -11,7 +11,7 @@ pub fn voltage_per_g(plant: &Plant, frequency_hz: f64) -> f64 {
     let responses = frf(
         plant,
         &FrfInput::BaseAcceleration,
-        &[FrfResponse::LoadVoltage("load".into())],
+        &[FrfOutput::LoadVoltage("load".into())],
         &[frequency_hz],
     )
     .unwrap();
@@ -43,7 +43,7 @@ pub fn best_resistance(make: impl Fn(&str) -> Plant, frequency_hz: f64) -> (f64,
         frf(
             &plant,
             &FrfInput::BaseAcceleration,
-            &[FrfResponse::LoadVoltage("load".into())],
+            &[FrfOutput::LoadVoltage("load".into())],
             &[frequency_hz],
         )
         .unwrap()[0]

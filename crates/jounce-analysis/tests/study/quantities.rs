@@ -5,7 +5,7 @@ use jounce_analysis::study::Study;
 use jounce_analysis::{Sweep, SweepOrder};
 use jounce_control::Control;
 use jounce_io::table::{Table, Values};
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_spec::SpecFile;
 
 /// First number of a column.
@@ -41,7 +41,7 @@ fn a_frequency_response_has_the_peak_of_the_linear_harvester() {
     .unwrap();
     let (input, response) = (
         FrfInput::Force("table".to_owned()),
-        FrfResponse::LoadVoltage("load".to_owned()),
+        FrfOutput::LoadVoltage("load".to_owned()),
     );
     let hz = first_number(&folder_state, "peak_frequency_hz");
     let at = |hz: f64| {

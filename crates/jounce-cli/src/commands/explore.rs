@@ -1,7 +1,7 @@
 //! `jounce explore SPEC`, `jounce explore --link LINK`
 
 use crate::failure::Failure;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce_explorer::{
@@ -90,7 +90,7 @@ impl Explore {
         let explorer = Explorer::bind(options)?;
         let page = explorer.page();
         match self.json {
-            true => print(&serde_json::json!({ "page": page })),
+            true => line(&serde_json::json!({ "page": page })),
             false => line(format!(
                 "{page}\nKeep the address private: anyone who has it can use the page. Ctrl+C ends it."
             )),

@@ -1,7 +1,7 @@
 //! `jounce reproduce`
 
 use crate::failure::Failure;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use clap::Args;
 use jounce::{Control, ReproduceOptions, reproduce};
 
@@ -21,7 +21,7 @@ impl Reproduce {
         let stage = |stage: &str| output::note(stage);
         let result = reproduce(&self.options, &Control::default(), &stage)?;
         if self.json {
-            print(&output::to_json(&result)?);
+            line(&output::to_json(&result)?);
             return Ok(());
         }
         for claim in &result.claims {

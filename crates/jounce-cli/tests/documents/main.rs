@@ -39,20 +39,28 @@ fn empty_folder(name: &str) -> PathBuf {
     folder
 }
 
-/// README and every page of the book, by paths from the root.
-fn documents() -> Vec<String> {
-    let mut documents = vec!["README.md".to_owned()];
-    let mut folders = vec![PathBuf::from("book/src")];
+/// The files of a folder and its subfolders with an extension, by paths from the root.
+fn files(folder: &str, extension: &str) -> Vec<String> {
+    let mut files = Vec::new();
+    let mut folders = vec![PathBuf::from(folder)];
     while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(root().join(&folder)).expect("the book is there") {
-            let path = folder.join(entry.expect("the book can be listed").file_name());
+        for entry in std::fs::read_dir(root().join(&folder)).expect("the folder is there") {
+            let path = folder.join(entry.expect("the folder can be listed").file_name());
             if root().join(&path).is_dir() {
                 folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "md") {
-                documents.push(path.to_string_lossy().replace('\\', "/"));
+            } else if path.extension().is_some_and(|found| found == extension) {
+                files.push(path.to_string_lossy().replace('\\', "/"));
             }
         }
     }
+    files.sort();
+    files
+}
+
+/// README and every page of the book, by paths from the root.
+fn documents() -> Vec<String> {
+    let mut documents = files("book/src", "md");
+    documents.push("README.md".to_owned());
     documents.sort();
     documents
 }
@@ -118,6 +126,25 @@ fn every_link_leads_somewhere_and_every_picture_has_alternative_text() {
             .collect::<Vec<_>>()
     });
     assert_none(faults.collect());
+}
+
+/// A comment that names a test names its path from the root.
+#[test]
+fn every_test_named_in_a_comment_exists() {
+    let mut faults = Vec::new();
+    for file in files("crates", "rs") {
+        let text = std::fs::read_to_string(root().join(&file)).expect("sources are UTF-8");
+        let comments = text
+            .lines()
+            .filter(|line| line.trim_start().starts_with("//"));
+        let names = comments.flat_map(|line| line.split('`').skip(1).step_by(2));
+        let missing = names.filter(|name| {
+            let is_path = name.contains('/') && name.split('/').any(|part| part == "tests");
+            is_path && !root().join(name).exists()
+        });
+        faults.extend(missing.map(|name| format!("{file}: there is no {name}")));
+    }
+    assert_none(faults);
 }
 
 #[test]

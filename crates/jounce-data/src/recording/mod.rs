@@ -26,4 +26,6 @@ pub use quantity::Quantity;
 pub use recorded::{NoChannel, Recording};
 pub use series::{PIECE, Series};
 pub use unit::Unit;
+
+pub use jounce_units::STANDARD_GRAVITY_M_S2;
 pub(crate) use unit_spelling::unbracketed;

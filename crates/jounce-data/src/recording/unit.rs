@@ -5,7 +5,7 @@
 
 use std::borrow::Cow;
 
-use jounce_units::Quantity as Spec;
+use jounce_units::{Quantity as Spec, STANDARD_GRAVITY_M_S2};
 
 use super::Quantity;
 use super::unit_spelling::{normalised_spelling, unbracketed};
@@ -49,7 +49,7 @@ const CUSTOMARY_UNITS: [(&[&str], Quantity, &str, f64); 12] = [
         "N",
         4.448_221_615_260_5,
     ),
-    (&["kgf", "kp"], Quantity::Force, "N", 9.806_65),
+    (&["kgf", "kp"], Quantity::Force, "N", STANDARD_GRAVITY_M_S2),
     (
         &["in", "inch", "inches"],
         Quantity::Displacement,
@@ -78,7 +78,12 @@ const CUSTOMARY_UNITS: [(&[&str], Quantity, &str, f64); 12] = [
         0.3048,
     ),
     // Never a milligram, because g is not a gram.
-    (&["mg"], Quantity::Acceleration, "m/s^2", 9.806_65e-3),
+    (
+        &["mg"],
+        Quantity::Acceleration,
+        "m/s^2",
+        1e-3 * STANDARD_GRAVITY_M_S2,
+    ),
     (&["psi"], Quantity::Pressure, "Pa", 6_894.757_293_168),
     (&["gal", "gals"], Quantity::Acceleration, "m/s^2", 0.01),
 ];

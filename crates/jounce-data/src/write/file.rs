@@ -83,7 +83,7 @@ pub enum WriteError {
 /// Another extension, samples or units that the format does not support, a destination that cannot
 /// be written.
 pub fn write(recording: &Recording, path: &Path) -> Result<(), WriteError> {
-    write_surveyed(&recording.clone().into(), path, None)
+    write_summary(&recording.clone().into(), path, None)
 }
 
 /// Writes a recording whose numbers need not be in memory, piece by piece, with the record of the
@@ -91,7 +91,7 @@ pub fn write(recording: &Recording, path: &Path) -> Result<(), WriteError> {
 ///
 /// # Errors
 /// Those of [`write()`], and a scratch file that cannot be read.
-pub fn write_surveyed(
+pub fn write_summary(
     recording: &RecordingSummary,
     path: &Path,
     record: Option<Record>,

@@ -3,4 +3,4 @@ mod columns;
 mod file;
 mod uff58;
 
-pub use file::{WriteError, write, write_surveyed};
+pub use file::{WriteError, write, write_summary};

@@ -45,7 +45,7 @@ pub(super) fn half_power_hz(
             };
             let known: Vec<KnownOrbit> = orbits.iter().map(known).collect();
             let warm_start = WarmStart {
-                harvester: &parameter,
+                family: &parameter,
                 kernel: &model.kernel,
                 range,
                 tolerance: TOLERANCE,

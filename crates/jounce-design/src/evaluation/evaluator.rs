@@ -13,12 +13,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Function that is called with each better design.
 pub type OnImprovement<'f> = &'f (dyn Fn(&Improvement) + Sync);
 
-/// Evaluates designs, each once.
+/// Evaluates designs; the evaluations of a journal are not repeated.
 pub struct Evaluator<'p> {
     pub problem: &'p Problem,
     /// Models of each change by a condition, for each combination of choices.
     models: Vec<Vec<Model>>,
     pub control: Control,
+    /// Evaluations of the journal.
     known: HashMap<(Vec<u64>, Effort), Evaluation>,
     journal: Option<&'p Journal<Journaled>>,
     pub improved: Option<OnImprovement<'p>>,

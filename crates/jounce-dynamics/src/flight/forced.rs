@@ -27,7 +27,7 @@ use crate::kernel::{ForceBasis, Kernel};
 use jounce_simd::{F64x8, LANES, Simd, widest};
 
 /// Legendre coefficients of `3 x^2 - 2 x^3`, of `x^3 - x^2`, of `x^3 - 2 x^2 + x` and of
-/// `1 - 3 x^2 + 2 x^3` ...
+/// `1 - 3 x^2 + 2 x^3`.
 const HERMITE_VALUES: [[f64; 4]; 4] = [
     [0.5, 0.6, 0.0, -0.1],
     [-1.0 / 12.0, -0.05, 1.0 / 12.0, 0.05],
@@ -35,7 +35,7 @@ const HERMITE_VALUES: [[f64; 4]; 4] = [
     [0.5, -0.6, 0.0, 0.1],
 ];
 
-/// ... and of their slopes.
+/// Legendre coefficients of the slopes of the polynomials of [`HERMITE_VALUES`].
 const HERMITE_SLOPES: [[f64; 3]; 4] = [
     [1.0, 0.0, -1.0],
     [0.0, 0.5, 0.5],

@@ -187,7 +187,8 @@ impl Integrator<'_> {
         self.step_from(w, (p, &self.y), level, length_s, motion, drive)
     }
 
-    /// Does so for a given start state, which may differ from the current one in its fast decays.
+    /// Returns the certificate data of a step from a given start state, which may differ from the
+    /// current one in its fast decays.
     #[inline(always)]
     pub(super) fn step_from<W: Simd>(
         &self,

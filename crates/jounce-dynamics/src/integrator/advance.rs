@@ -38,6 +38,7 @@ impl Integrator<'_> {
         }
         let law = self.kernel.plant.system.stops.first().map(|stop| stop.law);
         match law {
+            // A law without stiffness exerts no force.
             None => self.dispatch(
                 Hertz {
                     stiffness: 0.0,
@@ -69,8 +70,8 @@ impl Integrator<'_> {
         end_s.min(self.excitation.until_s(self.time_s))
     }
 
-    /// Updates all ports after an impulse of a signal; a port that stuck to a rigid stop and now
-    /// moves away enters flight.
+    /// Updates the ports of all stops after an impulse of a signal; a port that stuck to a rigid
+    /// stop and now moves away enters flight.
     #[inline(always)]
     fn update_ports<W: Simd>(&mut self, w: W) {
         for (p, stop) in self.kernel.plant.system.stops.iter().enumerate() {

@@ -41,8 +41,14 @@ impl Energies {
             + self
                 .rectified
                 .iter()
-                .map(|energy| energy.load_j + energy.battery_j)
+                .map(RectifiedEnergies::delivered_j)
                 .sum::<f64>()
+    }
+
+    /// Returns the energy delivered to each load, then to each rectified circuit, J.
+    pub fn delivered_per_element_j(&self) -> impl Iterator<Item = f64> {
+        let rectified = self.rectified.iter().map(RectifiedEnergies::delivered_j);
+        self.loads_j.iter().copied().chain(rectified)
     }
 
     /// True where no energy flowed or changed by more than roundoff, so that the residual has no

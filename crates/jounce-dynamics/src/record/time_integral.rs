@@ -6,7 +6,7 @@
 //! `int_0^x P_n = (P_{n+1} - P_{n-1}) / (2 (2 n + 1))`. Only the state at the start of a step
 //! enters, so that a step that does not end where the next one begins shows as a gap.
 //!
-//! Validation: `tests/integrate/time_integral.rs`.
+//! Validation: `crates/jounce-analysis/tests/integrate/time_integral.rs`.
 
 use super::trajectory::{ResponseCache, Trajectory, TrajectorySegment};
 use crate::excitation::row::ExcitationRow;

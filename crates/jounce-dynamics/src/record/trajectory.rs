@@ -9,7 +9,7 @@ use crate::force_response::basis::{NODES, legendre};
 use crate::force_response::output_rows::parts;
 use crate::force_response::step_response::StepResponse;
 use crate::kernel::{ForceBasis, Kernel};
-use jounce_model::plant::SignalSample;
+use jounce_model::plant::{Plant, Port, SignalSample};
 use jounce_simd::F64x8;
 use std::collections::HashMap;
 
@@ -98,6 +98,15 @@ pub struct TrajectoryState {
     pub state: Vec<f64>,
     /// Contact force of each stop, N.
     pub forces_n: Vec<f64>,
+}
+
+impl TrajectoryState {
+    /// Returns the displacement of a port, m.
+    pub fn displacement_m(&self, plant: &Plant, port: &Port) -> f64 {
+        let pairs = port.displacement.iter().zip(&self.state);
+        let moving: f64 = pairs.map(|(c, y)| c * y).sum();
+        moving + plant.driven(port, self.time_s)[0]
+    }
 }
 
 /// Values of a trajectory over time.

@@ -23,10 +23,14 @@ pub struct RectifiedEnergies {
 }
 
 impl RectifiedEnergies {
+    /// Returns the energy delivered to the load and the battery, J.
+    pub fn delivered_j(&self) -> f64 {
+        self.load_j + self.battery_j
+    }
+
     /// Returns the sum of the energies, J.
     pub fn sum_j(&self) -> f64 {
-        let delivered_j = self.load_j + self.battery_j;
-        delivered_j + self.diodes_j + self.switch_j + self.leakage_j + self.regulator_j
+        self.delivered_j() + self.diodes_j + self.switch_j + self.leakage_j + self.regulator_j
     }
 
     /// Adds the energies of another count.

@@ -9,9 +9,6 @@ use crate::ports::state::ContactState;
 use jounce_model::plant::{BridgeChange, EventFunction, Regulator, SignalIntegrals, VoltageBand};
 use jounce_simd::Portable;
 
-/// Phase in which the device sleeps; the others are its task.
-const SLEEP: usize = 2;
-
 /// Operation of one device since the start of a run, or since the last reset.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct DeviceStatistics {
@@ -46,8 +43,10 @@ pub(crate) struct Regulation {
     /// Start of the current time off, or the last reset, s.
     off_since_s: f64,
     statistics: DeviceStatistics,
-    /// Charge drawn (C) and energy delivered to the device (J) in the current conduction state.
-    in_state: (f64, f64),
+    /// Charge drawn in the current conduction state, C.
+    drawn_c: f64,
+    /// Energy delivered to the device in the current conduction state, J.
+    delivered_j: f64,
 }
 
 impl Regulation {
@@ -62,7 +61,8 @@ impl Regulation {
             until_s: f64::INFINITY,
             off_since_s: time_s,
             statistics: DeviceStatistics::default(),
-            in_state: (0.0, 0.0),
+            drawn_c: 0.0,
+            delivered_j: 0.0,
         }
     }
 
@@ -78,8 +78,8 @@ impl Regulation {
         let drawn_c = self.band.held_a * length_s;
         self.statistics.on_s += length_s;
         self.statistics.drawn_c += drawn_c;
-        self.in_state.0 += drawn_c;
-        self.in_state.1 += self.regulator.output_w(phase) * length_s;
+        self.drawn_c += drawn_c;
+        self.delivered_j += self.regulator.output_w(phase) * length_s;
     }
 
     /// Returns this regulator counted up to a time.
@@ -109,7 +109,7 @@ impl Regulation {
                 self.enter(self.regulator.first_phase(), time_s);
             }
             (Some(phase), BridgeChange::Falls) if self.band_index == 0 => {
-                self.statistics.interrupted_tasks += u64::from(phase != SLEEP);
+                self.statistics.interrupted_tasks += u64::from(phase != Regulator::SLEEP);
                 self.off_since_s = time_s;
                 (self.phase, self.until_s) = (None, f64::INFINITY);
                 self.band = self.regulator.off_band();
@@ -126,7 +126,7 @@ impl Regulation {
         self.count(time_s);
         if let Some(phase) = self.phase {
             let next = self.regulator.phase_after(phase);
-            self.statistics.completed_tasks += u64::from(next == SLEEP);
+            self.statistics.completed_tasks += u64::from(next == Regulator::SLEEP);
             self.enter(next, time_s);
         }
     }
@@ -161,7 +161,7 @@ impl Integrator<'_> {
 
     /// Returns the charge that each bridge has drawn in the current conduction state, C.
     pub(crate) fn drawn_c(&self) -> Vec<f64> {
-        let all = self.counted_regulations(|regulation| regulation.in_state.0);
+        let all = self.counted_regulations(|regulation| regulation.drawn_c);
         all.into_iter().map(Option::unwrap_or_default).collect()
     }
 
@@ -263,7 +263,7 @@ impl Integrator<'_> {
         rectified: &mut [RectifiedEnergies],
     ) -> f64 {
         let plant = &self.kernel.plant;
-        let delivered_j = self.counted_regulations(|regulation| regulation.in_state.1);
+        let delivered_j = self.counted_regulations(|regulation| regulation.delivered_j);
         let mut signals_j = 0.0;
         for (index, signal) in plant.system.signals.iter().enumerate() {
             let Some(bridge) = signal.drawn_from else {
@@ -286,7 +286,7 @@ impl Integrator<'_> {
         let time_s = self.time_s;
         for regulation in self.switching.regulations.iter_mut().flatten() {
             regulation.count(time_s);
-            regulation.in_state = (0.0, 0.0);
+            (regulation.drawn_c, regulation.delivered_j) = (0.0, 0.0);
         }
     }
 }

@@ -12,9 +12,11 @@
 //! delay of the impact. Diodes that conduct immediately after a switch share its delay,
 //! `dx+ = dx- + (x'- - x'+) s`, because their current jumps there.
 
-use super::linearization::{ConductionSegment, Linearization, LinearizedSegment};
 use super::parameters::Parameters;
 use super::tangents::{Tangents, scale};
+use super::variational_integration::{
+    ConductionSegment, LinearizedSegment, VariationalIntegration,
+};
 use super::{ParameterSensitivity, SensitivityError};
 use crate::kernel::Kernel;
 use crate::record::trajectory::{ConductionChange, Impact, Trajectory};
@@ -137,7 +139,7 @@ impl<'a> ConductionRoute<'a> {
             end_s,
             end: &end,
         };
-        widest(Linearization::new(
+        widest(VariationalIntegration::new(
             kernel,
             self.drift,
             &mut self.odd_tables,

@@ -1,10 +1,10 @@
 //! Linearised contact step for all ports in contact at once.
 
 use super::elimination::NodeSystem;
-use super::linearization::Linearization;
 use super::parameter_sensitivity::DrivenNodeMotion;
 use super::parameters::NodeLaws;
 use super::tangents::{NODES_PER_PASS, add_scaled, sums};
+use super::variational_integration::VariationalIntegration;
 use crate::flow::state::{add_force_response, columns};
 use crate::force_response::basis::NODES;
 use crate::kernel::{ForceBasis, Kernel};
@@ -40,7 +40,7 @@ impl LawNodes {
     }
 }
 
-impl Linearization<'_, '_> {
+impl VariationalIntegration<'_, '_> {
     /// Passes one step in contact; `after` is the state at its end.
     #[inline(always)]
     pub(super) fn contact<W: Simd>(&mut self, w: W, segment: &TrajectorySegment, after: &[f64]) {

@@ -28,17 +28,17 @@
 //! start at the same instant; the basis of the others represents their variation only
 //! approximately. Impacts on several rigid stops at the same instant are refused.
 //!
-//! Validation: `tests/integrate/sensitivity` compares with difference quotients of the flow,
-//! with its determinant and with closed forms.
+//! Validation: `crates/jounce-analysis/tests/integrate/sensitivity` compares with difference
+//! quotients of the flow, with its determinant and with closed forms.
 
 mod conduction_states;
 mod contact;
 mod elimination;
-mod linearization;
 mod parameter_sensitivity;
 mod parameters;
 mod saltation;
 mod tangents;
+mod variational_integration;
 
 pub use parameter_sensitivity::ParameterSensitivity;
 pub use parameters::{OutputDerivatives, ParameterRequest, StateDerivative};
@@ -139,11 +139,7 @@ impl FlowSensitivity {
             integrator.statistics(),
             integrator.energies(),
         );
-        let rectified = energies
-            .rectified
-            .iter()
-            .map(|energy| energy.load_j + energy.battery_j);
-        let delivered_j = energies.loads_j.iter().copied().chain(rectified).collect();
+        let delivered_j = energies.delivered_per_element_j().collect();
         let rate = conduction_states::rate(
             integrator.kernel,
             &integrator.physical(),

@@ -1,6 +1,6 @@
 //! Ports at a fixed state: their motion under the drive, and their derivatives by a parameter.
 
-use super::linearization::Linearization;
+use super::variational_integration::VariationalIntegration;
 use crate::kernel::ForceBasis;
 use crate::ports::phasor::PhasorSamples;
 use crate::record::trajectory::TrajectorySegment;
@@ -44,7 +44,7 @@ pub(super) struct DrivenNodeMotion {
     pub rate_drift_m_s: F64x8,
 }
 
-impl Linearization<'_, '_> {
+impl VariationalIntegration<'_, '_> {
     /// Evaluates a port under the drives along a step, of a level or of any length.
     #[inline(always)]
     pub(super) fn driven<W: Simd>(

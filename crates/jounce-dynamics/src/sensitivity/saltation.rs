@@ -1,12 +1,12 @@
 //! Derivatives at events at the surface of a stop (saltation).
 
-use super::linearization::Linearization;
 use super::tangents::scale;
+use super::variational_integration::VariationalIntegration;
 use crate::record::trajectory::{Impact, PortForce, TrajectorySegment};
 use jounce_model::contact::Law;
 use jounce_simd::{F64x8, Simd};
 
-impl Linearization<'_, '_> {
+impl VariationalIntegration<'_, '_> {
     /// Shifts the time of the tangents to the start of a contact of a port: `Dy = dy + y' s`.
     /// Returns `s`; `None` where the point does not move into the stop.
     #[inline(always)]

@@ -14,8 +14,9 @@
 //! corrected at every step (Broyden's update).
 //!
 //! Source: D. Venzon, S. Moolgavkar, A method for computing profile-likelihood-based confidence
-//! intervals, Applied Statistics 37 (1988) 87. Validation: `tests/fitted/coverage.rs`, and a key
-//! whose interval is known in closed form below.
+//! intervals, Applied Statistics 37 (1988) 87. Validation:
+//! `crates/jounce-experiment/tests/fitted/coverage.rs`, and a key whose interval is known in closed
+//! form below.
 
 use nalgebra::{DMatrix, DVector};
 

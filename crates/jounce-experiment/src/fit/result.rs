@@ -10,7 +10,7 @@ use super::intervals::{curve, feature_results, fitted_keys};
 use super::problem::FitProblem;
 use super::solve::Minimum;
 use super::warnings::warnings;
-use jounce_identification::modal::Mode;
+use jounce_signal::NORMAL_95;
 use jounce_signal::spectral::student_95;
 
 /// Key before and after the fit.
@@ -155,7 +155,7 @@ impl FitResult {
         let (count, observations) = (problem.keys.len(), problem.observations);
         let estimated: Vec<f64> = minimum.freedom.iter().flatten().copied().collect();
         let quantile = if estimated.is_empty() {
-            Mode::QUANTILE_95
+            NORMAL_95
         } else {
             student_95(estimated.iter().sum())
         };

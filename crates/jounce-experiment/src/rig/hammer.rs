@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use jounce_linalg::c64;
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::plant::Plant;
 use jounce_signal::RandomStream;
 
@@ -16,7 +16,7 @@ pub struct HammerTest {
     /// Impact point.
     pub point: String,
     /// Recorded outputs in addition to the force.
-    pub responses: Vec<FrfResponse>,
+    pub responses: Vec<FrfOutput>,
     /// Number of hits.
     pub hits: usize,
     /// Time between hits, s.
@@ -246,11 +246,11 @@ fn force(test: &HammerTest, count: usize, stream: &mut RandomStream) -> Vec<f64>
     force
 }
 
-fn measured(response: &FrfResponse) -> (Quantity, &'static str) {
+fn measured(response: &FrfOutput) -> (Quantity, &'static str) {
     match response {
-        FrfResponse::Displacement(_) => (Quantity::Displacement, "m"),
-        FrfResponse::Velocity(_) => (Quantity::Velocity, "m/s"),
-        FrfResponse::Acceleration(_) => (Quantity::Acceleration, "m/s^2"),
-        FrfResponse::Voltage(_) | FrfResponse::LoadVoltage(_) => (Quantity::Voltage, "V"),
+        FrfOutput::Displacement(_) => (Quantity::Displacement, "m"),
+        FrfOutput::Velocity(_) => (Quantity::Velocity, "m/s"),
+        FrfOutput::Acceleration(_) => (Quantity::Acceleration, "m/s^2"),
+        FrfOutput::Voltage(_) | FrfOutput::LoadVoltage(_) => (Quantity::Voltage, "V"),
     }
 }

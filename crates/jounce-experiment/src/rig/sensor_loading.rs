@@ -106,7 +106,7 @@ pub fn add_accelerometers(
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use jounce_model::linear::{FrfInput, FrfResponse, frf};
+    use jounce_model::linear::{FrfInput, FrfOutput, frf};
     use jounce_model::plant::{Plant, System};
     use jounce_model::structure;
     use jounce_spec::SpecFile;
@@ -139,8 +139,8 @@ mod tests {
         .unwrap();
         let hz: Vec<f64> = (1..60).map(f64::from).collect();
         let responses = [
-            FrfResponse::Voltage("p".to_owned()),
-            FrfResponse::Displacement("beam.end".to_owned()),
+            FrfOutput::Voltage("p".to_owned()),
+            FrfOutput::Displacement("beam.end".to_owned()),
         ];
         let per_metre = |spec: &Spec| {
             let result = frf(

@@ -20,12 +20,8 @@ pub(super) fn block_features(
     let mean = values.iter().sum::<f64>() / count as f64;
     let mut features =
         vec![(values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / count as f64).sqrt()];
-    for order in ORDERS
-        .into_iter()
-        .filter(|order| order * drive_hz < samples.rate_hz() / 2.0)
-    {
-        features.push(line(values, mean, order * drive_hz / samples.rate_hz()).norm());
-    }
+    let lines = block_lines(samples, drive_hz, start, count);
+    features.extend(lines.iter().map(|line| line.norm()));
     features
 }
 

@@ -5,6 +5,7 @@
 //! quieter part is therefore not a separate piece, and an irregular part remains one piece.
 
 use jounce_control::Control;
+use jounce_signal::NORMAL_QUARTILE;
 
 /// Returns the starts of the pieces, in blocks. A single block between two pieces is the mixture at
 /// a change, which is placed in its middle. `None` if cancelled.
@@ -134,7 +135,7 @@ pub(super) fn noise(features: &[Vec<f64>]) -> Vec<f64> {
         };
         // A difference of two has sqrt 2 times the deviation; the median of a normal number's size
         // is 0.6745 of it.
-        median / (0.674_489_75 * std::f64::consts::SQRT_2)
+        median / (NORMAL_QUARTILE * std::f64::consts::SQRT_2)
     };
     (0..width).map(feature_noise).collect()
 }

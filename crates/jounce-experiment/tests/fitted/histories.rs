@@ -8,7 +8,7 @@ use jounce_data::recording::{Grid, Recording};
 use jounce_data::write::write;
 use jounce_experiment::fit::{Features, HistoryFeature, fit};
 use jounce_experiment::rig::{Disturbance, Sensor, ShakerTest, shaker_test};
-use jounce_model::linear::FrfResponse;
+use jounce_model::linear::FrfOutput;
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -72,7 +72,7 @@ fn features(folder: &Path, begins_s: Option<f64>) -> Features {
     let feature = HistoryFeature {
         file: "run.csv".into(),
         channel: "mfc.voltage".to_owned(),
-        output: FrfResponse::Voltage("mfc".to_owned()),
+        output: FrfOutput::Voltage("mfc".to_owned()),
         deviation: relative_deviation(0.03),
         begins_s,
         set: Vec::new(),

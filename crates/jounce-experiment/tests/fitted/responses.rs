@@ -4,7 +4,7 @@ use super::{HARVESTER, fit_and_compare, free_keys, relative_deviation, spec, wit
 use jounce_control::Control;
 use jounce_experiment::fit::{Deviation, Features, MeasuredLines, ResponseFeature, fit};
 use jounce_linalg::c64;
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure;
 use jounce_signal::RandomStream;
@@ -35,7 +35,7 @@ fn voltage() -> (Vec<f64>, Vec<c64>) {
     let responses = frf(
         &plant,
         &FrfInput::BaseAcceleration,
-        &[FrfResponse::Voltage("mfc".to_owned())],
+        &[FrfOutput::Voltage("mfc".to_owned())],
         &frequency_hz,
     )
     .expect("responses");
@@ -45,7 +45,7 @@ fn voltage() -> (Vec<f64>, Vec<c64>) {
 fn features(lines: MeasuredLines, deviation: Deviation) -> Features {
     let (input, output) = (
         FrfInput::BaseAcceleration,
-        FrfResponse::Voltage("mfc".to_owned()),
+        FrfOutput::Voltage("mfc".to_owned()),
     );
     let feature = ResponseFeature {
         input,
@@ -142,7 +142,7 @@ fn a_sensor_on_the_structure_moves_with_the_base() {
     )
     .expect("plant");
     let frequency_hz: Vec<f64> = (0..40).map(|k| 40.0 + 1.5 * f64::from(k)).collect();
-    let output = FrfResponse::Acceleration("beam.end".to_owned());
+    let output = FrfOutput::Acceleration("beam.end".to_owned());
     let responses = frf(
         &plant,
         &FrfInput::BaseAcceleration,

@@ -12,7 +12,7 @@ use jounce_control::Control;
 use jounce_data::read;
 use jounce_data::recording::{Grid, IssueKind, Recording};
 use jounce_experiment::rig::{Disturbance, Sensor, ShakerTest, on_recorded_base, shaker_test};
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure::modes_holding;
 use jounce_signal::Samples;
@@ -121,7 +121,7 @@ fn transformed_w(plant: &Plant, record: &Recording) -> f64 {
     let h = &frf(
         plant,
         &FrfInput::BaseAcceleration,
-        &[FrfResponse::LoadVoltage("load".to_owned())],
+        &[FrfOutput::LoadVoltage("load".to_owned())],
         &hz,
     )
     .expect("a response")[0]

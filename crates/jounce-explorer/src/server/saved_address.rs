@@ -3,7 +3,6 @@
 //! Each spec has one small file that only its owner may read, since the token in it grants access.
 
 use sha2::{Digest, Sha256};
-use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -36,15 +35,9 @@ pub fn state_folder() -> Option<PathBuf> {
 /// Returns the file of a spec.
 fn address_file(folder: &Path, spec: &Path) -> PathBuf {
     let canonical_path = spec.canonicalize().unwrap_or_else(|_| spec.to_path_buf());
-    let digest = Sha256::digest(canonical_path.as_os_str().as_encoded_bytes());
-    let name = digest
-        .iter()
-        .take(8)
-        .fold(String::from("explore-"), |mut name, byte| {
-            let _ = write!(name, "{byte:02x}");
-            name
-        });
-    folder.join(name)
+    let path_bytes = canonical_path.as_os_str().as_encoded_bytes();
+    let digest = format!("{:x}", Sha256::digest(path_bytes));
+    folder.join(format!("explore-{digest:.16}"))
 }
 
 impl SavedAddress {

@@ -1,10 +1,8 @@
 //! Contact law of a pulse, with its uncertainty.
 
-use serde::Serialize;
-
 use super::{FixedExponentLaw, PulseShape};
-
-pub(super) const QUANTILE_95: f64 = 1.959_963_984_540_054;
+use jounce_signal::NORMAL_95;
+use serde::Serialize;
 
 /// Contact law with its uncertainty, as standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -59,12 +57,12 @@ pub struct PulseUnits {
 impl ContactFit {
     /// Half-width of the 95 % confidence interval of the exponent.
     pub fn exponent_half_width(&self) -> f64 {
-        QUANTILE_95 * self.exponent_deviation
+        NORMAL_95 * self.exponent_deviation
     }
 
     /// Half-width of the 95 % confidence interval of the restitution.
     pub fn restitution_half_width(&self) -> f64 {
-        QUANTILE_95 * self.restitution_deviation
+        NORMAL_95 * self.restitution_deviation
     }
 
     /// Force of the law at times of the record, N.
@@ -94,7 +92,7 @@ pub enum AllowedLaws {
 impl AllowedLaws {
     /// Laws whose exponent is in the 95 % interval of the fitted one.
     pub(super) fn of(exponent: f64, deviation: f64) -> Self {
-        let is_allowed = |value: f64| (exponent - value).abs() <= QUANTILE_95 * deviation;
+        let is_allowed = |value: f64| (exponent - value).abs() <= NORMAL_95 * deviation;
         match (is_allowed(1.0), is_allowed(1.5)) {
             (true, true) => Self::Both,
             (true, false) => Self::Linear,

@@ -4,10 +4,10 @@
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
-use super::contact_fit::QUANTILE_95;
 use super::problem::PulseProblem;
 use super::pulse::minimised;
 use super::{ContactError, PulseShape};
+use jounce_signal::NORMAL_95;
 use jounce_signal::spectral::Hit;
 
 /// Contact law with a fixed exponent, fitted to the same pulse.
@@ -106,7 +106,7 @@ impl Stiffness {
 
     /// Confidence interval, 95 %.
     pub fn interval_95(&self) -> (f64, f64) {
-        let log_half_width = QUANTILE_95 * self.relative_deviation;
+        let log_half_width = NORMAL_95 * self.relative_deviation;
         (
             self.value * (-log_half_width).exp(),
             self.value * log_half_width.exp(),

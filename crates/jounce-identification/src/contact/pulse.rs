@@ -127,10 +127,9 @@ fn rate(time_s: &[f64]) -> f64 {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::contact_fit::QUANTILE_95;
     use super::*;
-    use jounce_signal::RandomStream;
     use jounce_signal::spectral::{HitSearch, hits};
+    use jounce_signal::{NORMAL_95, RandomStream};
 
     const RATE: f64 = 200_000.0;
 
@@ -242,7 +241,7 @@ mod tests {
     fn stated_deviations_hold_the_truth() {
         let covered_count = (0..150).filter(|seed| {
             let result = fitted(&record(1.5, 0.4, 2.0, *seed).0);
-            (result.exponent - 1.5).abs() <= QUANTILE_95 * result.exponent_deviation
+            (result.exponent - 1.5).abs() <= NORMAL_95 * result.exponent_deviation
         });
         let covered_share = covered_count.count() as f64 / 150.0;
         assert!((0.91..=0.99).contains(&covered_share), "{covered_share}");

@@ -31,9 +31,6 @@ pub struct Mode {
 }
 
 impl Mode {
-    /// Half-width of a 95 % interval in standard deviations, where these are known.
-    pub const QUANTILE_95: f64 = 1.959_963_984_540_054;
-
     /// Half-width of the 95 % confidence interval of the frequency, Hz.
     pub fn frequency_half_width_hz(&self) -> f64 {
         self.quantile_95 * self.frequency_deviation_hz

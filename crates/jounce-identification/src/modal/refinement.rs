@@ -6,6 +6,7 @@ use super::maximum_likelihood::{ModalFit, fit, fit_shared};
 use super::mode::normalised;
 use super::poles::{MAX_DAMPING, split_close_modes};
 use super::{Band, Identification, ModalError, Mode, Pole, StablePole};
+use jounce_signal::NORMAL_95;
 use jounce_signal::spectral::student_95;
 
 /// Relative standard deviation of frequency above which a pole is not a mode: the stability
@@ -94,7 +95,7 @@ fn mode(
     freedom: Option<f64>,
     residue: Vec<c64>,
 ) -> Mode {
-    let quantile_95 = freedom.map_or(Mode::QUANTILE_95, student_95);
+    let quantile_95 = freedom.map_or(NORMAL_95, student_95);
     let Pole {
         frequency_hz,
         damping_ratio,

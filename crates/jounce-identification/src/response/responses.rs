@@ -4,7 +4,7 @@ use super::ResponseError;
 use super::excitation::{self, Excitation, input};
 use super::forces::{check_sensors, references};
 use super::reference_analysis::{analyse_references, in_order, sweep_issue};
-use jounce_data::recording::{Channel, Issue, Quantity, Recording};
+use jounce_data::recording::{Channel, Issue, Quantity, Recording, STANDARD_GRAVITY_M_S2};
 use jounce_signal::spectral::{FrequencyResponse, ImpactHit, ImpactSettings};
 
 /// Choice of channels.
@@ -132,9 +132,6 @@ impl MeasuredResponses {
             && self.quantities[response] == self.inputs[response]
     }
 }
-
-/// m/s^2 in a g (NIST SP 811).
-const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// Names of the responses: those chosen, or all channels except the input.
 fn output_names(

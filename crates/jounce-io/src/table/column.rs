@@ -88,9 +88,14 @@ impl Values {
             "count" => parse_all(texts).map(Self::Count),
             "flag" => parse_all(texts).map(Self::Flag),
             "text" => Ok(Self::Text(texts)),
-            other => Err(format!("there is no kind of column \"{other}\"")),
+            other => Err(unknown_kind(other)),
         }
     }
+}
+
+/// Returns the message about a kind of column that does not exist.
+pub(super) fn unknown_kind(kind: &str) -> String {
+    format!("there is no kind of column \"{kind}\"")
 }
 
 fn parse_all<T: std::str::FromStr>(texts: Vec<String>) -> Result<Vec<T>, String> {

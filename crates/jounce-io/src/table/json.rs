@@ -7,7 +7,8 @@ use super::{Manifest, Table, Values};
 pub(super) fn encode(table: &Table, manifest: &Manifest) -> String {
     let (mut columns, mut units, mut about) = (Map::new(), Map::new(), Map::new());
     for column in table.columns() {
-        columns.insert(column.name.clone(), array(&column.values));
+        let values = array(&column.values, Value::from);
+        columns.insert(column.name.clone(), values);
         units.insert(column.name.clone(), Value::from(column.unit.as_str()));
         about.insert(column.name.clone(), Value::from(column.about.as_str()));
     }
@@ -15,10 +16,11 @@ pub(super) fn encode(table: &Table, manifest: &Manifest) -> String {
         + "\n"
 }
 
-/// NaN and infinities become `null`, because JSON lacks them.
-fn array(values: &Values) -> Value {
+/// Returns the values of a column; `number` writes a float, with NaN and infinities, which JSON
+/// lacks: `Value::from` makes them `null`.
+pub(super) fn array(values: &Values, number: impl Fn(f64) -> Value) -> Value {
     match values {
-        Values::Float(v) => v.iter().map(|&x| Value::from(x)).collect(),
+        Values::Float(v) => v.iter().copied().map(number).collect(),
         Values::Integer(v) => v.iter().copied().collect(),
         Values::Count(v) => v.iter().copied().collect(),
         Values::Flag(v) => v.iter().copied().collect(),

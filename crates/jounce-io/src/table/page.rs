@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::json::array;
 use super::notes::Notes;
 use super::{Manifest, Table, Values};
 
@@ -17,7 +18,9 @@ const END: &str = "</script>";
 pub(super) fn encode(table: &Table, manifest: &Manifest) -> String {
     let notes = Notes::of(table, manifest);
     let columns = table.columns().iter();
-    let values: Vec<Value> = columns.map(|column| array(&column.values)).collect();
+    let values: Vec<Value> = columns
+        .map(|column| array(&column.values, number))
+        .collect();
     let data = json!({ "manifest": notes.manifest, "columns": notes.columns, "values": values });
     let text = data.to_string().replace('<', "\\u003c");
     format!("{BEGIN}{text}{END}")
@@ -58,17 +61,10 @@ fn texts(column: &str, list: Value) -> Result<Vec<String>, String> {
     Ok(values.into_iter().map(text).collect())
 }
 
-fn array(values: &Values) -> Value {
-    let number = |x: &f64| match x.is_finite() {
-        true => Value::from(*x),
+fn number(x: f64) -> Value {
+    match x.is_finite() {
+        true => Value::from(x),
         false => Value::from(format!("{x:?}")),
-    };
-    match values {
-        Values::Float(v) => v.iter().map(number).collect(),
-        Values::Integer(v) => v.iter().copied().collect(),
-        Values::Count(v) => v.iter().copied().collect(),
-        Values::Flag(v) => v.iter().copied().collect(),
-        Values::Text(v) => v.iter().map(String::as_str).collect(),
     }
 }
 

@@ -16,6 +16,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::Type;
 
+use super::column::unknown_kind;
 use super::notes::Notes;
 use super::{Column, Manifest, Table, Values};
 use crate::parquet_check;
@@ -239,7 +240,7 @@ fn read_column(
                 .collect::<Result<_, _>>()
                 .map(Values::Text)
         }
-        other => Err(format!("there is no kind of column \"{other}\"")),
+        other => Err(unknown_kind(other)),
     }
 }
 

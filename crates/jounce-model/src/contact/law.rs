@@ -5,7 +5,7 @@ use jounce_simd::{F64x8, Simd};
 use jounce_spec::{Stop, StopLaw};
 
 /// Derivatives of a contact force.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Slopes {
     /// `dF/d delta`, N/m.
     pub stiffness_n_m: f64,
@@ -66,19 +66,26 @@ pub trait ContactLaw: Copy + Send + Sync {
     fn elastic_force_n(&self, penetration_m: f64) -> f64;
 }
 
+/// Calls a method of the compliant law of a stop; a rigid stop has the last value.
+macro_rules! of_law {
+    ($law:expr, $method:ident($($argument:expr),*), $rigid:expr) => {
+        match $law {
+            Law::Hertz(law) => law.$method($($argument),*),
+            Law::KelvinVoigt(law) => law.$method($($argument),*),
+            Law::HuntCrossley(law) => law.$method($($argument),*),
+            Law::Cubic(law) => law.$method($($argument),*),
+            Law::Table(law) => law.$method($($argument),*),
+            Law::Rigid(_) => $rigid,
+        }
+    };
+}
+
 impl ContactLaw for Law {
     const RATE_DEPENDENT: bool = true;
 
     #[inline(always)]
     fn is_rate_dependent(&self) -> bool {
-        match self {
-            Law::Hertz(law) => law.is_rate_dependent(),
-            Law::KelvinVoigt(law) => law.is_rate_dependent(),
-            Law::HuntCrossley(law) => law.is_rate_dependent(),
-            Law::Cubic(law) => law.is_rate_dependent(),
-            Law::Table(law) => law.is_rate_dependent(),
-            Law::Rigid(_) => false,
-        }
+        of_law!(self, is_rate_dependent(), false)
     }
 
     #[inline(always)]
@@ -98,14 +105,7 @@ impl ContactLaw for Law {
         penetration_m: W::Register,
         rate_m_s: W::Register,
     ) -> W::Register {
-        match self {
-            Law::Hertz(law) => law.forces_n(simd, penetration_m, rate_m_s),
-            Law::KelvinVoigt(law) => law.forces_n(simd, penetration_m, rate_m_s),
-            Law::HuntCrossley(law) => law.forces_n(simd, penetration_m, rate_m_s),
-            Law::Cubic(law) => law.forces_n(simd, penetration_m, rate_m_s),
-            Law::Table(law) => law.forces_n(simd, penetration_m, rate_m_s),
-            Law::Rigid(_) => simd.zero(),
-        }
+        of_law!(self, forces_n(simd, penetration_m, rate_m_s), simd.zero())
     }
 
     #[inline(always)]
@@ -114,14 +114,7 @@ impl ContactLaw for Law {
     }
 
     fn steepest(&self, reach_m: f64) -> Slopes {
-        match self {
-            Law::Hertz(law) => law.steepest(reach_m),
-            Law::KelvinVoigt(law) => law.steepest(reach_m),
-            Law::HuntCrossley(law) => law.steepest(reach_m),
-            Law::Cubic(law) => law.steepest(reach_m),
-            Law::Table(law) => law.steepest(reach_m),
-            Law::Rigid(_) => Law::slopes(self, reach_m, 0.0),
-        }
+        of_law!(self, steepest(reach_m), Slopes::default())
     }
 
     fn energy_j(&self, penetration_m: f64) -> f64 {
@@ -129,14 +122,7 @@ impl ContactLaw for Law {
     }
 
     fn elastic_force_n(&self, penetration_m: f64) -> f64 {
-        match self {
-            Law::Hertz(law) => law.elastic_force_n(penetration_m),
-            Law::KelvinVoigt(law) => law.elastic_force_n(penetration_m),
-            Law::HuntCrossley(law) => law.elastic_force_n(penetration_m),
-            Law::Cubic(law) => law.elastic_force_n(penetration_m),
-            Law::Table(law) => law.elastic_force_n(penetration_m),
-            Law::Rigid(_) => 0.0,
-        }
+        of_law!(self, elastic_force_n(penetration_m), 0.0)
     }
 }
 
@@ -210,42 +196,18 @@ impl Law {
         matches!(self, Law::Cubic(_))
     }
 
-    /// Compressive force, N; not finite for a rigid stop.
+    /// Compressive force, N; 0 for a rigid stop, whose force is an impulse.
     pub fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64 {
-        match self {
-            Law::Hertz(law) => law.force_n(penetration_m, rate_m_s),
-            Law::KelvinVoigt(law) => law.force_n(penetration_m, rate_m_s),
-            Law::HuntCrossley(law) => law.force_n(penetration_m, rate_m_s),
-            Law::Cubic(law) => law.force_n(penetration_m, rate_m_s),
-            Law::Table(law) => law.force_n(penetration_m, rate_m_s),
-            Law::Rigid(_) => 0.0,
-        }
+        of_law!(self, force_n(penetration_m, rate_m_s), 0.0)
     }
 
-    /// Both slopes of the force; not defined for a rigid stop.
+    /// Both slopes of the force; 0 for a rigid stop.
     pub fn slopes(&self, penetration_m: f64, rate_m_s: f64) -> Slopes {
-        match self {
-            Law::Hertz(law) => law.slopes(penetration_m, rate_m_s),
-            Law::KelvinVoigt(law) => law.slopes(penetration_m, rate_m_s),
-            Law::HuntCrossley(law) => law.slopes(penetration_m, rate_m_s),
-            Law::Cubic(law) => law.slopes(penetration_m, rate_m_s),
-            Law::Table(law) => law.slopes(penetration_m, rate_m_s),
-            Law::Rigid(_) => Slopes {
-                stiffness_n_m: 0.0,
-                damping_n_s_m: 0.0,
-            },
-        }
+        of_law!(self, slopes(penetration_m, rate_m_s), Slopes::default())
     }
 
     /// Energy stored by the elastic part of the force, J; a rigid stop stores none.
     pub fn energy_j(&self, penetration_m: f64) -> f64 {
-        match self {
-            Law::Hertz(law) => law.energy_j(penetration_m),
-            Law::KelvinVoigt(law) => law.energy_j(penetration_m),
-            Law::HuntCrossley(law) => law.energy_j(penetration_m),
-            Law::Cubic(law) => law.energy_j(penetration_m),
-            Law::Table(law) => law.energy_j(penetration_m),
-            Law::Rigid(_) => 0.0,
-        }
+        of_law!(self, energy_j(penetration_m), 0.0)
     }
 }

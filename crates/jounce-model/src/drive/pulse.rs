@@ -4,7 +4,7 @@ use super::{Wave, hold};
 use std::f64::consts::PI;
 
 /// Linear pieces of a half-sine; the error of the response is below 1e-12 of its largest value
-/// (`tests/integrate/drives/signals.rs`).
+/// (`crates/jounce-analysis/tests/integrate/drives/signals.rs`).
 const LINES: usize = 2048;
 
 /// `amplitude sin(pi (t - start) / duration)` between its start and its end, 0 elsewhere.

@@ -15,7 +15,8 @@
 //! Limits: far from every resonance, the response in a band is a difference of numbers as large as
 //! the white response. The error is about 1e-15 of the white response.
 //!
-//! Validation: `tests/linear` compares with quadrature over frequency and with closed forms.
+//! Validation: `crates/jounce-analysis/tests/linear` compares with quadrature over frequency and
+//! with closed forms.
 //!
 //! Source: W. Gawronski, J.-N. Juang, Int. J. Systems Sci. 21 (1990) 349.
 

@@ -16,7 +16,7 @@ pub enum FrfInput {
 
 /// Output of a frequency response.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum FrfResponse {
+pub enum FrfOutput {
     /// Displacement of a point, m.
     Displacement(String),
     /// Velocity of a point, m/s.
@@ -33,34 +33,34 @@ pub enum FrfResponse {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frf {
     /// Output.
-    pub response: FrfResponse,
+    pub response: FrfOutput,
     /// Value per newton, or per m/s^2 of the base, at each frequency.
     pub value: Vec<c64>,
 }
 
-impl FrfResponse {
+impl FrfOutput {
     /// Returns the name for tables, with the unit as its suffix.
     pub fn name(&self) -> String {
         match self {
-            FrfResponse::Displacement(point) => format!("{point}.displacement"),
-            FrfResponse::Velocity(point) => format!("{point}.velocity"),
-            FrfResponse::Acceleration(point) => format!("{point}.acceleration"),
-            FrfResponse::Voltage(patch) => format!("{patch}.voltage"),
-            FrfResponse::LoadVoltage(load) => format!("{load}.load_voltage"),
+            FrfOutput::Displacement(point) => format!("{point}.displacement"),
+            FrfOutput::Velocity(point) => format!("{point}.velocity"),
+            FrfOutput::Acceleration(point) => format!("{point}.acceleration"),
+            FrfOutput::Voltage(patch) => format!("{patch}.voltage"),
+            FrfOutput::LoadVoltage(load) => format!("{load}.load_voltage"),
         }
     }
 
     /// Returns the unit per unit of the input.
     pub fn unit(&self, input: &FrfInput) -> &'static str {
         match (self, input) {
-            (FrfResponse::Displacement(_), FrfInput::Force(_)) => "m/N",
-            (FrfResponse::Velocity(_), FrfInput::Force(_)) => "m/(s N)",
-            (FrfResponse::Acceleration(_), FrfInput::Force(_)) => "m/(s^2 N)",
-            (FrfResponse::Voltage(_) | FrfResponse::LoadVoltage(_), FrfInput::Force(_)) => "V/N",
-            (FrfResponse::Displacement(_), FrfInput::BaseAcceleration) => "m/(m/s^2)",
-            (FrfResponse::Velocity(_), FrfInput::BaseAcceleration) => "(m/s)/(m/s^2)",
-            (FrfResponse::Acceleration(_), FrfInput::BaseAcceleration) => "(m/s^2)/(m/s^2)",
-            (FrfResponse::Voltage(_) | FrfResponse::LoadVoltage(_), FrfInput::BaseAcceleration) => {
+            (FrfOutput::Displacement(_), FrfInput::Force(_)) => "m/N",
+            (FrfOutput::Velocity(_), FrfInput::Force(_)) => "m/(s N)",
+            (FrfOutput::Acceleration(_), FrfInput::Force(_)) => "m/(s^2 N)",
+            (FrfOutput::Voltage(_) | FrfOutput::LoadVoltage(_), FrfInput::Force(_)) => "V/N",
+            (FrfOutput::Displacement(_), FrfInput::BaseAcceleration) => "m/(m/s^2)",
+            (FrfOutput::Velocity(_), FrfInput::BaseAcceleration) => "(m/s)/(m/s^2)",
+            (FrfOutput::Acceleration(_), FrfInput::BaseAcceleration) => "(m/s^2)/(m/s^2)",
+            (FrfOutput::Voltage(_) | FrfOutput::LoadVoltage(_), FrfInput::BaseAcceleration) => {
                 "V/(m/s^2)"
             }
         }
@@ -75,7 +75,7 @@ impl FrfResponse {
 pub fn frf(
     plant: &Plant,
     input: &FrfInput,
-    responses: &[FrfResponse],
+    responses: &[FrfOutput],
     frequencies_hz: &[f64],
 ) -> Result<Vec<Frf>, PlantError> {
     frf_until(plant, input, responses, frequencies_hz, &|| false)
@@ -88,7 +88,7 @@ pub fn frf(
 pub fn frf_until(
     plant: &Plant,
     input: &FrfInput,
-    responses: &[FrfResponse],
+    responses: &[FrfOutput],
     frequencies_hz: &[f64],
     is_stopped: &dyn Fn() -> bool,
 ) -> Result<Vec<Frf>, PlantError> {
@@ -126,7 +126,7 @@ pub fn frf_until(
         let state = plant.steady_state(w, &force)?;
         for (result, row) in results.iter_mut().zip(&rows) {
             let value = crate::plant::dot(row, &state);
-            let speeded = matches!(result.response, FrfResponse::Acceleration(_));
+            let speeded = matches!(result.response, FrfOutput::Acceleration(_));
             result.value.push(if speeded {
                 value * c64::new(0.0, w)
             } else {
@@ -137,13 +137,13 @@ pub fn frf_until(
     Ok(results)
 }
 
-fn row(plant: &Plant, response: &FrfResponse) -> Result<Vec<f64>, PlantError> {
+fn row(plant: &Plant, response: &FrfOutput) -> Result<Vec<f64>, PlantError> {
     Ok(match response {
-        FrfResponse::Displacement(point) => plant.displacement_row(shape(plant, point)?),
-        FrfResponse::Velocity(point) | FrfResponse::Acceleration(point) => {
+        FrfOutput::Displacement(point) => plant.displacement_row(shape(plant, point)?),
+        FrfOutput::Velocity(point) | FrfOutput::Acceleration(point) => {
             plant.velocity_row(shape(plant, point)?)
         }
-        FrfResponse::Voltage(patch) => {
+        FrfOutput::Voltage(patch) => {
             let patches: Vec<&String> = plant.system.modes.patch.keys().collect();
             let index = patches
                 .iter()
@@ -151,7 +151,7 @@ fn row(plant: &Plant, response: &FrfResponse) -> Result<Vec<f64>, PlantError> {
                 .ok_or_else(|| unknown("response", patch, &patches))?;
             plant.voltage_row(index)
         }
-        FrfResponse::LoadVoltage(name) => {
+        FrfOutput::LoadVoltage(name) => {
             let loads = &plant.system.loads;
             let known: Vec<&String> = loads.iter().map(|load| &load.name).collect();
             let index = loads

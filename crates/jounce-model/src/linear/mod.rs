@@ -17,7 +17,7 @@ mod random_response;
 pub use bandwidth::{noise_bandwidth_hz, statistical_bandwidth_hz};
 pub use coupling::{Coupling, couplings};
 pub use covariance::{covariance, product};
-pub use frf::{Frf, FrfInput, FrfResponse, frf, frf_until};
+pub use frf::{Frf, FrfInput, FrfOutput, frf, frf_until};
 pub use level_crossing::LevelCrossing;
 pub use noise::{
     NoiseInput, density, noise_powers_between_w, spectral_moment, white_noise_powers_w,

@@ -13,8 +13,8 @@
 //! terms of the two-sided density `Phi` per rad/s, `S = 4 pi Phi`. For the Lyapunov equation of a
 //! band see [`super::covariance()`].
 //!
-//! Validation: `tests/linear` compares the two with each other and with the closed forms of
-//! Adhikari, Friswell and Inman, Smart Mater. Struct. 18 (2009) 115005, to 1e-8.
+//! Validation: `crates/jounce-analysis/tests/linear` compares the two with each other and with the
+//! closed forms of Adhikari, Friswell and Inman, Smart Mater. Struct. 18 (2009) 115005, to 1e-8.
 
 use super::quadrature::integral;
 use crate::plant::{Meters, Plant, PlantError, dot, driven};

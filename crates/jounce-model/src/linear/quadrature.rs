@@ -52,13 +52,13 @@ fn finite(mut f: impl FnMut(f64, f64) -> f64, length: f64) -> f64 {
     let mut term = |t: f64| {
         let u = FRAC_PI_2 * t.sinh();
         // 1 / (1 + exp(2 u)) is the relative distance to the end.
-        let (left_half, right) = (
+        let (left, right) = (
             length / (1.0 + (-2.0 * u).exp()),
             length / (1.0 + (2.0 * u).exp()),
         );
         let weight = length * FRAC_PI_2 * t.cosh() / (2.0 * u.cosh() * u.cosh());
-        if left_half > 0.0 && right > 0.0 && weight > 0.0 {
-            weight * f(left_half, right)
+        if left > 0.0 && right > 0.0 && weight > 0.0 {
+            weight * f(left, right)
         } else {
             0.0
         }

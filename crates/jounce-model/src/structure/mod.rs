@@ -13,10 +13,10 @@
 //! M u_tt + k (u - w) = force of the beams on a mass whose spring stands on a place of displacement w
 //! ```
 //!
-//! Validation (`tests/structure`): the harvester of the paper against the transfer matrix of its
-//! segments in 40-digit arithmetic, 4e-15 relative in every frequency; uniform cantilever against
-//! its closed form, 40 modes; Table 2 to every printed digit; plain cubic meshes of up to 512
-//! elements without roundoff above 1e-13.
+//! Validation (`crates/jounce-model/tests/structure`): the harvester of the paper against the
+//! transfer matrix of its segments in 40-digit arithmetic, 4e-15 relative in every frequency;
+//! uniform cantilever against its closed form, 40 modes; Table 2 to every printed digit; plain
+//! cubic meshes of up to 512 elements without roundoff above 1e-13.
 //!
 //! Source: impact-harvester paper (2019), sections 2 and 3; Euler-Bernoulli theory.
 

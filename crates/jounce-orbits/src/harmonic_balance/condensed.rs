@@ -186,7 +186,8 @@ impl Condensed {
         })
     }
 
-    /// Solves `[R_u by; row corner] (du, dp) = (right, last)` with `R_u = push feel^T - I`.
+    /// Solves `[R_u by; row corner] (du, dp) = (right, last)`; `R_u` is the derivative of the
+    /// residual with respect to the harmonics of the displacements.
     ///
     /// The factors belong to the first border.
     pub fn bordered(

@@ -88,13 +88,13 @@ impl BalanceEvaluation {
         }
         let (by_parameter, unknown, grid) =
             (vec![0.0; unknown.len()], unknown.to_vec(), grid.clone());
-        let (evaluation, excess, condensed) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        let (shot, excess, condensed) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
         Self {
             parameter,
             kernel,
             forces,
             step_rad_s,
-            shot: evaluation,
+            shot,
             excess,
             by_parameter,
             unknown,
@@ -155,8 +155,8 @@ impl BalanceEvaluation {
     /// y = y_0 + (I - e^(A T))^-1 int_0^T e^(A (T - t)) sum_b b F(t) dt
     /// ```
     ///
-    /// `y_0` is the equilibrium under gravity. The sum includes all harmonics of the force, also at
-    /// fast modes. `d` may omit these, because such modes hardly move there.
+    /// `y_0` is the equilibrium under gravity. The sum includes the harmonics of the force at fast
+    /// modes, also those above the last harmonic of the unknown.
     pub(super) fn state(&self, rules: &QuadratureRules) -> Vec<f64> {
         let plant = &self.kernel.plant;
         let block = &plant.diagonal.block;

@@ -175,7 +175,7 @@ impl<H: ParametricModel> Problem for HarmonicBalance<'_, H> {
     fn at(&self, unknown: &[f64], parameter: f64) -> Result<BalanceEvaluation, Self::Error> {
         let mut setting = self
             .shooting
-            .harvester
+            .family
             .at(parameter)
             .map_err(OrbitError::Harvester)?;
         let change = setting.change.take();
@@ -183,10 +183,10 @@ impl<H: ParametricModel> Problem for HarmonicBalance<'_, H> {
         if let Some(change) = change {
             local.changed(&change, self.shooting.cycles);
         } else {
-            let step = self.shooting.harvester.difference();
+            let step = self.shooting.family.difference();
             let perturbed = self
                 .shooting
-                .harvester
+                .family
                 .at(parameter + step)
                 .map_err(OrbitError::Harvester)?;
             let perturbed = self.balance(perturbed, unknown, parameter + step)?;

@@ -32,7 +32,7 @@
 //!
 //! Limits: rigid stops, diodes, and free bodies, whose compliance at frequency zero is infinite.
 //!
-//! Validation: `tests/orbits/balance` compares with shooting, also
+//! Validation: `crates/jounce-analysis/tests/orbits/balance` compares with shooting, also
 //! for several stops and under gravity.
 
 mod angles;

@@ -39,11 +39,11 @@ pub fn balanced(map: &Mat<f64>) -> (Mat<f64>, Vec<f64>) {
 
 /// Returns the sums of the magnitudes in a row and in a column, without the diagonal.
 fn lengths(map: &Mat<f64>, i: usize) -> (f64, f64) {
-    let (values, n) = (map[(i, i)].abs(), map.nrows());
-    let row = (0..n).map(|j| map[(i, j)].abs()).sum::<f64>() - values;
+    let (diagonal, n) = (map[(i, i)].abs(), map.nrows());
+    let row = (0..n).map(|j| map[(i, j)].abs()).sum::<f64>() - diagonal;
     (
         row,
-        column(map, i).iter().map(|entry| entry.abs()).sum::<f64>() - values,
+        column(map, i).iter().map(|entry| entry.abs()).sum::<f64>() - diagonal,
     )
 }
 

@@ -60,12 +60,7 @@ impl OrbitQuantity {
                     .fold(0.0, larger)
             }
             Self::ContactForce(stop) => at.forces_n[stop],
-            Self::Displacement(stop) => {
-                let port = &plant.ports[stop];
-                let pairs = port.displacement.iter().zip(&at.state);
-                let moving: f64 = pairs.map(|(c, y)| c * y).sum();
-                (moving + plant.driven(port, at.time_s)[0]).abs()
-            }
+            Self::Displacement(stop) => at.displacement_m(plant, &plant.ports[stop]).abs(),
         }
     }
 }

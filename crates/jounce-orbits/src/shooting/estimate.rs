@@ -42,9 +42,8 @@ impl<H: ParametricModel> Shooting<'_, H> {
         let Some(correction) = evaluation.correction() else {
             return f64::INFINITY;
         };
-        let size = |vector: &[f64]| norm(vector);
-        let state = size(&correction) / size(&evaluation.strobe_states[0]).max(f64::MIN_POSITIVE);
-        let predicted_end: Vec<f64> = evaluation.strobe_states[0]
+        let state = norm(&correction) / norm(&evaluation.strobe_states[0]).max(f64::MIN_POSITIVE);
+        let corrected_start: Vec<f64> = evaluation.strobe_states[0]
             .iter()
             .zip(&correction)
             .map(|(u, d)| u + d)
@@ -53,7 +52,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
         // then the only estimate.
         let least_w = evaluation.least_power_w();
         let power = self
-            .integrated_power_w(&evaluation.kernel, &predicted_end)
+            .integrated_power_w(&evaluation.kernel, &corrected_start)
             .map_or(state, |exact_w| {
                 (orbit.mean_power_w - exact_w).abs() / exact_w.abs().max(least_w)
             });
@@ -72,7 +71,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
     ) -> Result<f64, OrbitError<H::Error>> {
         self.integrated_power_w(
             &self
-                .harvester
+                .family
                 .at(parameter)
                 .map_err(OrbitError::Harvester)?
                 .kernel,

@@ -119,20 +119,8 @@ impl ShootingEvaluation {
                 .filter(|time_s| (**time_s / cycle_s) as usize == cycle)
                 .map(|time_s| time_s - cycle as f64 * cycle_s)
                 .collect();
-            values.extend(
-                trajectory
-                    .at(&self.kernel, &cycle_times_s)
-                    .iter()
-                    .map(|at| {
-                        let moving: f64 = port
-                            .displacement
-                            .iter()
-                            .zip(&at.state)
-                            .map(|(c, y)| c * y)
-                            .sum();
-                        moving + plant.driven(port, at.time_s)[0]
-                    }),
-            );
+            let states = trajectory.at(&self.kernel, &cycle_times_s);
+            values.extend(states.iter().map(|at| at.displacement_m(plant, port)));
         }
         values
     }

@@ -27,12 +27,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
             integrator
                 .advance_to(cycle_s)
                 .map_err(SensitivityError::Integration)?;
-            let energies = integrator.energies();
-            let rectified = energies
-                .rectified
-                .iter()
-                .map(|energy| energy.load_j + energy.battery_j);
-            record.add_delivered(energies.loads_j.iter().copied().chain(rectified), period_s);
+            record.add_delivered(integrator.energies().delivered_per_element_j(), period_s);
             record.add_contacts(&integrator.statistics());
             y = integrator.state();
             let unknown = self.unknown(&plant.to_physical(&y, 0.0));

@@ -24,20 +24,20 @@ use super::{
 use charges::{conserved_charges, without_conserved};
 pub use derivatives::{InstantSensitivity, OrbitInstant, OrbitSensitivity};
 use jounce_continuation::Problem;
-use jounce_dynamics::{FlowSensitivity, Kernel, ParameterSensitivity};
+use jounce_dynamics::{FlowSensitivity, Kernel};
 use jounce_linalg::Mat;
 use jounce_model::plant::{Plant, product};
 use period_record::PeriodRecord;
 use std::sync::OnceLock;
 
-/// Tolerance of an integration that shows the error of another, relative to that one's.
-const FINER: f64 = 0.1;
+/// Tolerance of an integration that shows the error of another, relative to that of the other.
+pub const FINER_TOLERANCE: f64 = 0.1;
 
 /// Shooting method for the orbits of a harvester.
 #[derive(Debug)]
 pub struct Shooting<'h, H> {
     /// Family of harvesters.
-    pub harvester: &'h H,
+    pub family: &'h H,
     /// Drive cycles in the period.
     pub cycles: u32,
     /// Relative tolerance of the integration.
@@ -51,7 +51,7 @@ pub struct Shooting<'h, H> {
 impl<'h, H: ParametricModel> Shooting<'h, H> {
     /// Creates the problem for orbits of `cycles` drive cycles; `kernel` is the harvester at any
     /// value of its parameter.
-    pub fn new(harvester: &'h H, kernel: &Kernel, cycles: u32, tolerance: f64) -> Self {
+    pub fn new(family: &'h H, kernel: &Kernel, cycles: u32, tolerance: f64) -> Self {
         let modes = &kernel.plant.system.modes;
         let drive = kernel
             .plant
@@ -66,7 +66,7 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
             .chain(std::iter::repeat_n(1.0, modes.len()))
             .chain(kernel.plant.electrical.energy_scale());
         Self {
-            harvester,
+            family,
             cycles,
             tolerance,
             scale: scale.collect(),
@@ -78,7 +78,7 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
     #[must_use]
     pub fn with_tolerance(&self, tolerance: f64) -> Self {
         Self {
-            harvester: self.harvester,
+            family: self.family,
             cycles: self.cycles,
             tolerance,
             scale: self.scale.clone(),
@@ -117,16 +117,14 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
         unknown: &[f64],
         parameter: f64,
     ) -> Result<(ShootingEvaluation, bool), OrbitError<H::Error>> {
-        let setting = self
-            .harvester
-            .at(parameter)
-            .map_err(OrbitError::Harvester)?;
+        let setting = self.family.at(parameter).map_err(OrbitError::Harvester)?;
         let kernel = setting.kernel;
         let plant = &kernel.plant;
         let cycle_s = cycle_s(plant)?;
         let period_s = cycle_s * f64::from(self.cycles);
         let exact = setting.change.is_some();
-        let change = setting.change.unwrap_or_else(|| no_change(plant));
+        let change = setting.change;
+        let change = change.unwrap_or_else(|| ParameterDerivatives::zero(plant.len()));
         let mut y = plant.from_physical(&self.physical(unknown), 0.0);
         let steady = plant.steady_at(0.0);
         let mut record = PeriodRecord::new(plant, unknown.to_vec());
@@ -248,7 +246,7 @@ impl<H: ParametricModel> Problem for Shooting<'_, H> {
     fn at(&self, unknown: &[f64], parameter: f64) -> Result<ShootingEvaluation, Self::Error> {
         let (mut evaluation, exact) = self.shoot(unknown, parameter)?;
         if !exact {
-            let step = self.harvester.difference();
+            let step = self.family.difference();
             let (perturbed, _) = self.shoot(unknown, parameter + step)?;
             evaluation.by_parameter = perturbed
                 .residual
@@ -282,7 +280,7 @@ impl<H: ParametricModel> OrbitMethod for Shooting<'_, H> {
     }
 
     fn finer_shot(&self, state: &[f64], parameter: f64) -> Result<ShootingEvaluation, Self::Error> {
-        self.with_tolerance(FINER * self.tolerance)
+        self.with_tolerance(FINER_TOLERANCE * self.tolerance)
             .at(state, parameter)
     }
 
@@ -307,13 +305,4 @@ pub fn cycle_s<F: std::error::Error>(plant: &Plant) -> Result<f64, OrbitError<F>
     plant.period_s().ok_or(OrbitError::Frequencies {
         frequencies: plant.tones.len(),
     })
-}
-
-/// Returns the derivatives of a harvester that does not state them.
-fn no_change(plant: &Plant) -> ParameterDerivatives {
-    ParameterDerivatives {
-        drift: ParameterSensitivity::default(),
-        steady: vec![0.0; plant.len()],
-        period_relative: 0.0,
-    }
 }

@@ -21,7 +21,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
         parameter: f64,
     ) -> Result<Orbit, OrbitError<H::Error>> {
         let kernel = self
-            .harvester
+            .family
             .at(parameter)
             .map_err(OrbitError::Harvester)?
             .kernel;

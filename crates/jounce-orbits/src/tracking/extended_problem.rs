@@ -60,7 +60,7 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     /// Returns the shooting problem along one line.
     pub fn shooting<'l>(&self, line: &'l P::Line) -> Shooting<'l, P::Line> {
         Shooting {
-            harvester: line,
+            family: line,
             cycles: self.cycles,
             tolerance: self.integration_tolerance(),
             scale: self.scale.clone(),

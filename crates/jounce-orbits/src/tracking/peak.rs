@@ -10,8 +10,8 @@
 //! (`d2P/ds2`, with the curvature corrected by one more shooting evaluation). The second leads to
 //! the neighbouring curve at another second parameter.
 //!
-//! Validation: `tests/orbits/two_parameters/peaks.rs` compares peaks and optimal loads with the closed forms of a
-//! harvester without contact.
+//! Validation: `crates/jounce-analysis/tests/orbits/two_parameters/peaks.rs` compares peaks and
+//! optimal loads with the closed forms of a harvester without contact.
 
 use super::branch_projection::{BranchProjection, TrackingError};
 use super::condition::Gradient;

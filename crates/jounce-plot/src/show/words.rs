@@ -2,7 +2,7 @@
 
 use jounce_spec::{
     Beam, ContactBodies, ContactBody, Drive, DriveKind, DriveSignal, ForceTable, GROUND, Gravity,
-    Mass, Modal, Quantity, Spec, Stop, StopLaw,
+    Mass, Modal, NO_SUPPORT, Quantity, Spec, Stop, StopLaw,
 };
 use std::f64::consts::TAU;
 
@@ -157,7 +157,7 @@ pub fn mass(name: &str, mass: &Mass) -> Vec<String> {
                 (stiffness_n_m / mass.mass_kg).sqrt() / TAU
             )
         ),
-        None if mass.on == "nothing" => ", free".to_owned(),
+        None if mass.on == NO_SUPPORT => ", free".to_owned(),
         None => String::new(),
     };
     vec![name.to_owned(), format!("{mass_text}{support_text}")]

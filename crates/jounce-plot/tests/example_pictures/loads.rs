@@ -1,12 +1,12 @@
 //! Curves over the load resistance.
 
 use crate::example::G_M_S2;
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::plant::Plant;
 use jounce_plot::{LineDirection, SweepLine};
 
 /// Magnitude of a response per g of the base.
-pub fn per_g(plant: &Plant, response: FrfResponse, frequency_hz: &[f64]) -> Vec<f64> {
+pub fn per_g(plant: &Plant, response: FrfOutput, frequency_hz: &[f64]) -> Vec<f64> {
     let responses = frf(
         plant,
         &FrfInput::BaseAcceleration,
@@ -25,7 +25,7 @@ pub fn per_g(plant: &Plant, response: FrfResponse, frequency_hz: &[f64]) -> Vec<
 pub fn power_per_g2(plant: &Plant, frequency_hz: f64, resistance_ohm: f64) -> f64 {
     let voltage = per_g(
         plant,
-        FrfResponse::LoadVoltage("load".into()),
+        FrfOutput::LoadVoltage("load".into()),
         &[frequency_hz],
     )[0];
     0.5 * voltage * voltage / resistance_ohm

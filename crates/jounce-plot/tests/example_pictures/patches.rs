@@ -3,7 +3,7 @@
 use crate::comparison::check;
 use crate::example::plant;
 use crate::loads::{logarithmic_range, over_resistance, per_g, power_per_g2};
-use jounce_model::linear::FrfResponse;
+use jounce_model::linear::FrfOutput;
 use jounce_plot::{Axis, Colour, Figure, Panel, Series, power_against_resistance};
 
 /// Frequency of the highest voltage of an open patch between two frequencies, Hz.
@@ -17,7 +17,7 @@ fn resonance_hz(
     let frequency_hz = logarithmic_range(low_hz, high_hz, 4001);
     let voltage = per_g(
         &plant(example, settings),
-        FrfResponse::Voltage(patch.into()),
+        FrfOutput::Voltage(patch.into()),
         &frequency_hz,
     );
     let highest = (0..voltage.len())
@@ -55,8 +55,8 @@ fn the_two_kinds_of_macro_fibre_composite() {
         } else {
             "MFC-P1, d33"
         };
-        voltage = voltage.with(line(FrfResponse::LoadVoltage("load".into())).label(label));
-        tip = tip.with(line(FrfResponse::Displacement("substrate.end".into())));
+        voltage = voltage.with(line(FrfOutput::LoadVoltage("load".into())).label(label));
+        tip = tip.with(line(FrfOutput::Displacement("substrate.end".into())));
     }
     let title = "Two kinds of Macro Fiber Composite on one substrate whose base shakes";
     check(

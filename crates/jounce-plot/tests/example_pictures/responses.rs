@@ -3,7 +3,7 @@
 use crate::comparison::check;
 use crate::example::plant;
 use crate::loads::{logarithmic_range, over_resistance, per_g, power_per_g2};
-use jounce_model::linear::FrfResponse;
+use jounce_model::linear::FrfOutput;
 use jounce_plot::{Axis, Figure, Panel, Series, power_against_resistance};
 
 /// A panel with one curve per load.
@@ -34,7 +34,7 @@ fn unimorph_voltage_current_and_tip_at_five_loads() {
         ("1 MΩ", "1 Mohm", 1e6),
         ("10 MΩ", "10 Mohm", 1e7),
     ];
-    let lines = |response: FrfResponse, per_load: &dyn Fn(f64) -> f64| -> Vec<(&str, Vec<f64>)> {
+    let lines = |response: FrfOutput, per_load: &dyn Fn(f64) -> f64| -> Vec<(&str, Vec<f64>)> {
         let line = |(label, words, ohm): &(&'static str, &str, f64)| {
             let plant = plant(EXAMPLE, &[("circuit.load.resistance", words)]);
             (
@@ -47,7 +47,7 @@ fn unimorph_voltage_current_and_tip_at_five_loads() {
         };
         loads.iter().map(line).collect()
     };
-    let voltage = || FrfResponse::LoadVoltage("load".into());
+    let voltage = || FrfOutput::LoadVoltage("load".into());
     let figure = Figure::new(
         "Voltage, current and motion of the tip against the load, peak values per g of the base",
     )
@@ -69,7 +69,7 @@ fn unimorph_voltage_current_and_tip_at_five_loads() {
         "Tip per g, relative to the base",
         "m",
         &frequency_hz,
-        &lines(FrfResponse::Displacement("beam.end".into()), &|_| 1.0),
+        &lines(FrfOutput::Displacement("beam.end".into()), &|_| 1.0),
         false,
     ));
     check(EXAMPLE, "responses", &figure);
@@ -89,7 +89,7 @@ fn plate_voltage_at_four_widths() {
             ("plate.plate.point.tip.y", "10 mm"),
         ];
         let plant = plant(EXAMPLE, &settings);
-        let voltage = FrfResponse::LoadVoltage("load".into());
+        let voltage = FrfOutput::LoadVoltage("load".into());
         (label, per_g(&plant, voltage, &frequency_hz))
     };
     let lines = [

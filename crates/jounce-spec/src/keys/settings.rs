@@ -3,9 +3,6 @@
 use crate::key::{Key, Kind, Range, Slot};
 use crate::{Damping, Quantity, Reduction, Run, Start};
 
-/// More modes than any beam here resolves with useful accuracy.
-const MAX_MODES: f64 = 200.0;
-
 pub(super) static DAMPING: &[Key<Damping>] = &[
     Key::with_slot(
         "ratios",
@@ -41,7 +38,7 @@ pub(super) static REDUCTION: &[Key<Reduction>] = &[
             set: |r, x| r.modes = x,
         },
     )
-    .within(Range::from(1.0, MAX_MODES))
+    .within(Range::from(1.0, Reduction::MAX_MODES as f64))
     .optional(),
     Key::number(
         "mesh_tolerance",

@@ -1,5 +1,8 @@
 //! `[mass.NAME]`
 
+/// Word for a missing support.
+pub const NO_SUPPORT: &str = "nothing";
+
 /// A rigid mass. On a spring it moves along the drive direction and may carry beams; without a
 /// spring it is fixed to its support.
 #[derive(Debug, Clone, PartialEq)]

@@ -28,7 +28,7 @@ pub use drive::{Drive, DriveKind, DriveSignal, FrequencySweep, GROUND};
 pub use gravity::Gravity;
 pub use lamina::Lamina;
 pub use layer::Layer;
-pub use mass::Mass;
+pub use mass::{Mass, NO_SUPPORT};
 pub use modal::{Modal, ModalPatch};
 pub(crate) use patch::FIBRE_COMPOSITE_PREFIX;
 pub use patch::{

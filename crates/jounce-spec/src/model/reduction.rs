@@ -9,6 +9,12 @@ pub struct Reduction {
     pub mesh_tolerance: f64,
 }
 
+impl Reduction {
+    /// Largest number of retained modes: higher modes are far outside the validity of beam theory,
+    /// and the dense solve is slow.
+    pub const MAX_MODES: usize = 200;
+}
+
 impl Default for Reduction {
     fn default() -> Self {
         Self {

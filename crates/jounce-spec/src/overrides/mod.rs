@@ -65,8 +65,8 @@ impl Override {
         })
     }
 
-    /// Returns the override as it was written.
-    pub(crate) fn quoted_value(key: &str, value: &str) -> String {
+    /// Returns an override as an option of the command line.
+    pub(crate) fn option_text(key: &str, value: &str) -> String {
         format!("--set {}={}", clip(key), clip(value))
     }
 
@@ -157,7 +157,7 @@ fn in_a_list(root: &Node, path: &[String]) -> bool {
 impl fmt::Display for Override {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (key, value) = self.assignment();
-        out.write_str(&Self::quoted_value(&key, value))
+        out.write_str(&Self::option_text(&key, value))
     }
 }
 

@@ -34,7 +34,7 @@ impl Recording {
         let path_text = path.display();
         let of_file = |error: &dyn std::fmt::Display| ("file", format!("{path_text}: {error}"));
         let quantity = drive.kind.measured();
-        let mut survey = survey(path, *sample_rate_hz).map_err(|error| match error {
+        let mut summary = summary(path, *sample_rate_hz).map_err(|error| match error {
             ReadError::NoTime { .. } | ReadError::StampUnit { .. } => (
                 "file",
                 format!("{error}; or give the drive a `sample_rate`"),
@@ -42,20 +42,20 @@ impl Recording {
             error => ("file", error.to_string()),
         })?;
         let number = driving_channel(
-            (&survey.name, &survey.heads(), &survey.issues),
+            (&summary.name, &summary.heads(), &summary.issues),
             channel.as_deref(),
             quantity,
         )
         .map_err(|error| of_file(&error))?;
-        check_rate(&survey, path, *sample_rate_hz)?;
-        let head = survey.channels[number].head();
+        check_rate(&summary, path, *sample_rate_hz)?;
+        let head = summary.channels[number].head();
         let assumed = if unit.is_none() {
             head.assumed_unit_issue(quantity)
         } else {
             None
         };
-        survey.issues.extend(assumed);
-        let measured = survey
+        summary.issues.extend(assumed);
+        let measured = summary
             .into_recording_of(&[number])
             .map_err(|error| of_file(&error))?;
         let mut measured = measured.into_even().map_err(|error| of_file(&error))?;
@@ -77,25 +77,25 @@ impl Recording {
 
 /// Refuses a rate of the spec that differs from the rate of the file.
 fn check_rate(
-    survey: &RecordingSummary,
+    summary: &RecordingSummary,
     path: &Path,
     requested_hz: Option<f64>,
 ) -> Result<(), KeyFault> {
-    let differs = |rate_hz: &f64| (rate_hz / survey.rate() - 1.0).abs() > MAX_RATE_ERROR;
+    let differs = |rate_hz: &f64| (rate_hz / summary.rate() - 1.0).abs() > MAX_RATE_ERROR;
     let Some(requested_hz) = requested_hz.filter(differs) else {
         return Ok(());
     };
     let message = format!(
         "{} is sampled at {:.6} Hz, not at `sample_rate` = {requested_hz} Hz; correct one of them",
         path.display(),
-        survey.rate()
+        summary.rate()
     );
     Err(("sample_rate", message))
 }
 
 /// Reads the first time-domain recording of a file, at the given rate if neither the file nor its
 /// notes contain usable times.
-fn survey(path: &Path, sample_rate_hz: Option<f64>) -> Result<RecordingSummary, ReadError> {
+fn summary(path: &Path, sample_rate_hz: Option<f64>) -> Result<RecordingSummary, ReadError> {
     match (read::record_summary(path), sample_rate_hz) {
         (
             Err(ReadError::NoTime { .. } | ReadError::StampUnit { .. } | ReadError::Grid { .. }),

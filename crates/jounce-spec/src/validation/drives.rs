@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use super::ValidationFaults;
 use super::overlap::free_below;
 use crate::nearest::clip;
-use crate::{Drive, DriveKind, DriveSignal, GROUND, Quantity, Spec};
+use crate::{Drive, DriveKind, DriveSignal, GROUND, NO_SUPPORT, Quantity, Spec};
 
 /// Sine of the start angle below which a displacement starts at 0; covers the roundoff of 180
 /// degrees.
@@ -51,7 +51,7 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     for (name, _) in spec
         .mass
         .iter()
-        .filter(|(name, mass)| mass.on == "nothing" && !pulled && !is_known(name))
+        .filter(|(name, mass)| mass.on == NO_SUPPORT && !pulled && !is_known(name))
     {
         let text = || {
             "is \"nothing\", so the mass would drift without bound; add [gravity] or a [stop.NAME] that it strikes".to_owned()
@@ -103,7 +103,7 @@ fn check_base<'s, F: FnOnce() -> BTreeSet<&'s str>>(
     let Some(base) = drive.base() else { return };
     let key = || format!("drive.{name}.at");
     let at = clip(base);
-    if base.contains('.') || base == "nothing" || spec.mass.contains_key(base) {
+    if base.contains('.') || base == NO_SUPPORT || spec.mass.contains_key(base) {
         let noun = if spec.mass.contains_key(base) {
             "a mass, which only a force moves"
         } else {

@@ -1,7 +1,7 @@
 //! Lists have one number per mode; windows fit into the duration.
 
 use super::ValidationFaults;
-use crate::{Modal, Quantity, Reduction, Spec};
+use crate::{GROUND, Modal, NO_SUPPORT, Quantity, Reduction, Spec};
 
 pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     if spec.beam.is_empty()
@@ -134,7 +134,7 @@ fn damped_elsewhere(spec: &Spec) -> usize {
     spec.mass
         .values()
         .filter(|mass| {
-            mass.stiffness_n_m.is_some() || ["ground", "nothing"].contains(&mass.on.as_str())
+            mass.stiffness_n_m.is_some() || [GROUND, NO_SUPPORT].contains(&mass.on.as_str())
         })
         .count()
         + spec

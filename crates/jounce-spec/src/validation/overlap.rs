@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use super::ValidationFaults;
 use super::geometry::metres;
 use crate::nearest::clip;
-use crate::{Quantity, Side, Spec, Start, Stop, StopLaw};
+use crate::{NO_SUPPORT, Quantity, Side, Spec, Start, Stop, StopLaw};
 
 /// Relative excess over the static penetration that is allowed, because depths are written with few
 /// digits.
@@ -178,7 +178,7 @@ pub(super) fn free_below<'s>(spec: &'s Spec, point: &'s str) -> Option<&'s str> 
     let mut body = point.split('.').next().unwrap_or_default();
     for _ in 0..=spec.mass.len() + spec.beam.len() {
         let below = match (spec.mass.get(body), spec.beam.get(body)) {
-            (Some(mass), _) if mass.on == "nothing" => return Some(body),
+            (Some(mass), _) if mass.on == NO_SUPPORT => return Some(body),
             (Some(mass), _) => &mass.on,
             (None, Some(beam)) => &beam.root,
             (None, None) => return None,

@@ -4,7 +4,7 @@ use std::cell::LazyCell;
 
 use super::ValidationFaults;
 use crate::nearest::{clip, did_you_mean, join_words};
-use crate::{GROUND, Spec};
+use crate::{GROUND, NO_SUPPORT, Spec};
 
 pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     check_names(spec, faults);
@@ -107,7 +107,7 @@ fn check_names(spec: &Spec, faults: &mut ValidationFaults) {
         };
         faults.push(|| format!("plate.{name}"), text);
     }
-    for reserved in [GROUND, "nothing"]
+    for reserved in [GROUND, NO_SUPPORT]
         .into_iter()
         .filter(|name| spec.mass.contains_key(*name))
     {

@@ -7,9 +7,7 @@ use std::collections::BTreeSet;
 use super::ValidationFaults;
 use super::reference::unknown;
 use crate::nearest::clip;
-use crate::{Beam, GROUND, Mass, Plate, Spec, Start};
-
-const NO_SUPPORT: &str = "nothing";
+use crate::{Beam, GROUND, Mass, NO_SUPPORT, Plate, Spec, Start};
 
 pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     // Listed once, and only if there is a fault.

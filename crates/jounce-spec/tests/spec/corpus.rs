@@ -1,4 +1,5 @@
-//! Errors that users see: every invalid file of `tests/corpus/spec` with all its faults.
+//! Errors that users see: every invalid file of `crates/jounce-spec/tests/corpus/spec` with all its
+//! faults.
 
 use jounce_spec::SpecFile;
 

@@ -77,14 +77,14 @@ impl Harvester {
         spec.stop.clear();
         let modes = modes_holding(&spec, held)?;
         let motion = match input {
-            FrfInput::BaseAcceleration => linear::FrfResponse::Displacement,
-            FrfInput::Force(_) => linear::FrfResponse::Acceleration,
+            FrfInput::BaseAcceleration => linear::FrfOutput::Displacement,
+            FrfInput::Force(_) => linear::FrfOutput::Acceleration,
         };
         let points = modes.shape.keys().cloned().map(motion);
         let patches = modes.patch.keys().cloned();
-        let patches = patches.map(linear::FrfResponse::Voltage);
+        let patches = patches.map(linear::FrfOutput::Voltage);
         let loads = spec.circuit.keys().cloned();
-        let loads = loads.map(linear::FrfResponse::LoadVoltage);
+        let loads = loads.map(linear::FrfOutput::LoadVoltage);
         let responses: Vec<_> = points.chain(patches).chain(loads).collect();
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
         let is_stopped = || self.control().is_stopped();

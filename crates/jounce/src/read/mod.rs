@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::recording::{ReadOptions, Recording};
 use jounce_data::read::{FileSummary, summary_with_notes};
 use jounce_data::recording::{Issue, Over};
-use jounce_data::write::write_surveyed;
+use jounce_data::write::write_summary;
 use jounce_io::table::Record;
 use std::path::{Path, PathBuf};
 
@@ -108,7 +108,7 @@ impl RecordedFile {
             return Err(Error::option("to", to.as_ref().display(), expected));
         }
         let part = options.part(recording)?;
-        write_surveyed(part.as_ref().unwrap_or(recording), to.as_ref(), record)?;
+        write_summary(part.as_ref().unwrap_or(recording), to.as_ref(), record)?;
         let issues = part.iter().flat_map(|part| &part.issues);
         let issues = issues.filter(|issue| !recording.issues.contains(issue));
         let others = others.iter().map(|other| other.name.clone());
@@ -173,7 +173,7 @@ impl Recording {
     /// [`Error::Write`].
     pub fn write_with(&self, path: impl AsRef<Path>, record: Option<Record>) -> Result<(), Error> {
         let summary = self.data().clone().into();
-        Ok(write_surveyed(&summary, path.as_ref(), record)?)
+        Ok(write_summary(&summary, path.as_ref(), record)?)
     }
 
     /// Returns a part of the recording: a span, some channels, or an even grid.

@@ -4,7 +4,7 @@ use super::RigOptions;
 use crate::error::Error;
 use crate::recording::Recording;
 use jounce_experiment::rig::{HammerTest, hammer_test};
-use jounce_model::linear::FrfResponse;
+use jounce_model::linear::FrfOutput;
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure::modes_holding;
 use jounce_spec::{Gravity, Spec};
@@ -21,8 +21,8 @@ pub(super) fn record(
     spec.stop.clear();
     spec.gravity = Gravity::default();
     let modes = modes_holding(&spec, fixed)?;
-    let acceleration = |point: &String| FrfResponse::Acceleration(point.clone());
-    let voltage = |patch: &String| FrfResponse::Voltage(patch.clone());
+    let acceleration = |point: &String| FrfOutput::Acceleration(point.clone());
+    let voltage = |patch: &String| FrfOutput::Voltage(patch.clone());
     let responses = match options.at.is_empty() {
         true => (modes.shape.keys().map(acceleration))
             .chain(modes.patch.keys().map(voltage))

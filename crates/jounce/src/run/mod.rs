@@ -23,7 +23,9 @@ impl Harvester {
     /// that does not fit or an integration that does not converge.
     pub fn run(&self, options: &RunOptions) -> Result<RunResult, Error> {
         let clock = Instant::now();
-        self.with_tolerance(options.tolerance)?;
+        if let Some(tolerance) = options.tolerance {
+            self.check_tolerance(tolerance)?;
+        }
         let model = self.model()?;
         options.check(model.spec.run.duration_s)?;
         let start = match &options.start {

@@ -253,7 +253,7 @@ fn recorded(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use jounce_model::linear::{FrfInput, FrfResponse, frf, steady_power_w};
+    use jounce_model::linear::{FrfInput, FrfOutput, frf, steady_power_w};
 
     /// Without contact the power of a record and the mean square of its base match the closed
     /// forms; noise of 1 % adds 1e-4 to both.
@@ -274,7 +274,7 @@ mod tests {
             .concat(),
         )?;
         let plant = Plant::new(System::assemble(&spec, structure::modes(&spec)?)?)?;
-        let table = [FrfResponse::Acceleration("table".to_owned())];
+        let table = [FrfOutput::Acceleration("table".to_owned())];
         let base = frf(
             &plant,
             &FrfInput::Force("table".to_owned()),

@@ -2,7 +2,7 @@
 
 use crate::{NamedFigure, NamedTable, paper_spec};
 use jounce_io::table::{Column, Table};
-use jounce_model::linear::FrfResponse;
+use jounce_model::linear::FrfOutput;
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure::modes_holding;
 use jounce_plot::Figure;
@@ -234,7 +234,7 @@ impl ModalTest {
 }
 
 fn hit_recording(plant: &Plant, seed: u64) -> Result<Recording, ExperimentError> {
-    let at = |point: &str| FrfResponse::Acceleration(point.to_owned());
+    let at = |point: &str| FrfOutput::Acceleration(point.to_owned());
     let test = HammerTest {
         point: "beam.hammer".to_owned(),
         responses: vec![at("beam.tip"), at("beam.hammer")],

@@ -4,7 +4,7 @@
 use crate::harvester::PaperHarvester;
 use crate::{NamedFigure, NamedTable, ReproduceError};
 use jounce_io::table::{Column, Table};
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure::modes_holding;
 use jounce_plot::{ResponseLine as Curve, Scale, frequency_responses};
@@ -30,8 +30,8 @@ impl HammerTest {
         let plant = Plant::new(system)?;
         let frequency_hz = frequencies_hz(&plant);
         let labels = [
-            FrfResponse::Acceleration("beam.tip".to_owned()),
-            FrfResponse::Voltage("mfc".to_owned()),
+            FrfOutput::Acceleration("beam.tip".to_owned()),
+            FrfOutput::Voltage("mfc".to_owned()),
         ];
         let hammer = FrfInput::Force("beam.hammer".to_owned());
         let mut curves = frf(&plant, &hammer, &labels, &frequency_hz)?

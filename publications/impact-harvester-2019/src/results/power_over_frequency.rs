@@ -9,7 +9,7 @@ use crate::harvester::{MEGOHM, PaperCase, PaperHarvester};
 use crate::named::NamedStop;
 use crate::{NamedFigure, NamedTable, ReproduceError};
 use jounce_io::table::{Column, Table};
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_plot::{LineDirection, Scale, SweepLine, SweepLook, sweep};
 use rayon::prelude::*;
 
@@ -140,7 +140,7 @@ fn linear(harvester: &PaperHarvester) -> Result<SteppedBranch, ReproduceError> {
     let results = frf(
         &plant,
         &FrfInput::Force("table".to_owned()),
-        &[FrfResponse::Voltage("mfc".to_owned())],
+        &[FrfOutput::Voltage("mfc".to_owned())],
         &frequency_hz,
     )?;
     let power_w_n2 = results

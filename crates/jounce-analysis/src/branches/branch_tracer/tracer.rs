@@ -25,8 +25,14 @@ const NEWTON_GOAL_FACTOR: f64 = 50.0;
 /// Limits of the goal. With coarser integrations no correction is more accurate than they are.
 const NEWTON_GOAL_LIMITS: (f64, f64) = (1e-11, 1e-6);
 
+/// Largest number of evaluations of a correction.
+const MAX_EVALUATIONS: u32 = 8;
+
+/// Largest number of points of a branch.
+const MAX_POINTS: usize = 4000;
+
 /// Returns Newton's goal for a tolerance of integration.
-pub(in crate::branches) fn newton_tolerance(tolerance: f64) -> f64 {
+fn correction_goal(tolerance: f64) -> f64 {
     (NEWTON_GOAL_FACTOR * tolerance)
         .clamp(NEWTON_GOAL_LIMITS.0, NEWTON_GOAL_LIMITS.1.max(tolerance))
 }
@@ -65,6 +71,23 @@ struct StepPoints<M: OrbitMethod> {
 }
 
 impl BranchTracer {
+    /// Creates a tracer over a range from the relative tolerance of the integrations, with default
+    /// steps and without levels, and without a budget.
+    pub(in crate::branches) fn new(range: (f64, f64), tolerance: f64) -> Self {
+        Self {
+            range,
+            corrector: Corrector {
+                goal: correction_goal(tolerance),
+                most: MAX_EVALUATIONS,
+            },
+            control: StepControl::default(),
+            most_points: MAX_POINTS,
+            budget: usize::MAX,
+            resolution: RESOLUTION,
+            levels: Vec::new(),
+        }
+    }
+
     /// Returns the tracer for one more branch of a period, with as many points as the budget
     /// permits; `None` where it permits no step.
     pub(in crate::branches) fn within(&self, branches: &[Branch], cycles: u32) -> Option<Self> {

@@ -4,7 +4,7 @@ use super::noncontact::NoncontactEnd;
 use super::orbit_point::OrbitPoint;
 use super::tracer::BranchTracer;
 use crate::branches::branch::BranchPoint;
-use jounce_continuation::{Metric, Position, passes};
+use jounce_continuation::{Metric, Position, lies_between};
 use jounce_orbits::OrbitMethod;
 
 /// Start of a continuation.
@@ -65,7 +65,7 @@ impl BranchTracer {
         // Another sheet of the curve may pass nearby in the opposite direction.
         let goes_alike = beginning.sense * after.step.tangent.parameter > 0.0;
         let closes = |origin: &&Position| {
-            passes(&metric, origin, &before.step.position, &after.step.position)
+            lies_between(&metric, origin, &before.step.position, &after.step.position)
         };
         if points > 4 && goes_alike {
             beginning.origins.iter().find(closes)

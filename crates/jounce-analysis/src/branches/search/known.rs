@@ -16,7 +16,7 @@ use jounce_orbits::{Orbit, ParametricModel, Shooting};
 use std::rc::Rc;
 
 /// Relative distance below which two orbits are the same.
-const SAME_ORBIT_DISTANCE: f64 = 1e-4;
+pub(crate) const SAME_ORBIT_DISTANCE: f64 = 1e-4;
 
 /// This distance in tolerances of Newton's method; the larger one counts.
 const SAME_ORBIT_GOALS: f64 = 10.0;

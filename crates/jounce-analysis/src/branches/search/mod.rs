@@ -11,12 +11,14 @@ mod known;
 mod ramp_down;
 mod starts;
 
+pub(crate) use known::SAME_ORBIT_DISTANCE;
+
 use super::branch::{Branch, BranchKind, BranchPoint};
-use super::branch_tracer::tracer::{BranchTracer, RESOLUTION, newton_tolerance};
+use super::branch_tracer::tracer::BranchTracer;
 use super::options::BranchOptions;
 use crate::{AnalysisError, Model, Parameter};
 use jounce_continuation::{
-    CorrectedPoint, Corrector, Direction, Metric, Position, Problem, StepControl, correct, tangent,
+    CorrectedPoint, Direction, Metric, Position, Problem, StepControl, correct, tangent,
 };
 use jounce_linalg::Mat;
 use jounce_orbits::{
@@ -55,9 +57,6 @@ pub struct BranchSearch<'s> {
     pub longest_period: u32,
 }
 
-/// Largest number of points of a branch.
-const MAX_POINTS: usize = 4000;
-
 /// Golden section of the range. There two frequencies, one of them proportional to the key, have no
 /// common period by chance.
 const GOLDEN_SHARE: f64 = 0.618_033_988_749_894_9;
@@ -76,19 +75,13 @@ impl BranchSearch<'_> {
 
     fn following(&self, options: &BranchOptions) -> BranchTracer {
         BranchTracer {
-            range: self.range,
-            corrector: Corrector {
-                goal: newton_tolerance(self.tolerance),
-                most: 8,
-            },
             control: StepControl {
                 longest: options.largest_step,
                 ..StepControl::default()
             },
-            most_points: MAX_POINTS,
             budget: options.budget,
-            resolution: RESOLUTION,
             levels: options.levels.clone(),
+            ..BranchTracer::new(self.range, self.tolerance)
         }
     }
 

@@ -9,7 +9,7 @@ use crate::{
     OrbitMethodKind, Parameter, Recognition,
 };
 use jounce_model::linear::{
-    self, FrfInput, FrfResponse, Random, RandomError, RandomLoad, RandomStop,
+    self, FrfInput, FrfOutput, Random, RandomError, RandomLoad, RandomStop,
 };
 use jounce_spec::{DriveKind, NumericKey, Spec};
 use std::f64::consts::TAU;
@@ -120,7 +120,7 @@ fn frf(model: &Model, (low_hz, high_hz): (f64, f64), points: usize) -> Result<Ve
         .system
         .loads
         .first()
-        .map(|load| FrfResponse::LoadVoltage(load.name.clone()));
+        .map(|load| FrfOutput::LoadVoltage(load.name.clone()));
     let patch = || {
         plant
             .system
@@ -128,7 +128,7 @@ fn frf(model: &Model, (low_hz, high_hz): (f64, f64), points: usize) -> Result<Ve
             .patch
             .keys()
             .next()
-            .map(|patch| FrfResponse::Voltage(patch.clone()))
+            .map(|patch| FrfOutput::Voltage(patch.clone()))
     };
     let response = load
         .or_else(patch)

@@ -5,7 +5,7 @@ use super::evaluation::default_excitation;
 use super::table::QuantityTable;
 use crate::study::faults::FaultCollector;
 use crate::{BifurcationSearch, BranchSearch, DiagramOrder, SweepOrder};
-use jounce_model::linear::FrfResponse;
+use jounce_model::linear::FrfOutput;
 use jounce_spec::{Drive, DriveSignal, SpecFile, did_you_mean};
 use toml_edit::{Item, Table};
 
@@ -129,7 +129,7 @@ impl QuantityTable<'_> {
             );
         }
         let unit = input.map_or("", |input| {
-            FrfResponse::LoadVoltage(String::new()).unit(&input)
+            FrfOutput::LoadVoltage(String::new()).unit(&input)
         });
         Quantity::Frf {
             range_hz,

@@ -193,8 +193,8 @@ fn the_impact_oscillator_stays_on_its_closed_form() {
 }
 
 /// At 2.8 times its frequency, on a stop without gap, the oscillator is chaotic (the exponent in
-/// `tests/orbits/attractors/basins.rs`, found by another method). At twice its frequency the orbit
-/// with one impact per cycle is stable in closed form.
+/// `crates/jounce-analysis/tests/orbits/attractors/basins.rs`, found by another method). At twice
+/// its frequency the orbit with one impact per cycle is stable in closed form.
 #[test]
 fn chaos_and_a_period_are_distinguished() {
     let ending = |frequency_ratio: f64| {

@@ -4,7 +4,7 @@ use super::cell::cell;
 use crate::plants::kernel as of_system;
 use jounce_analysis::run::{OutputPeaks, RunPlan, RunResult, StartState, output_peaks, simulate};
 use jounce_dynamics::Kernel;
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::plant::{Plant, RectifierScheme, Storage, System};
 use jounce_model::structure::modes;
 use jounce_spec::SpecFile;
@@ -65,8 +65,8 @@ fn peaks_without_contact_are_those_of_the_frequency_response() {
             .modes
             .patch
             .keys()
-            .map(|patch| FrfResponse::Voltage(patch.clone()));
-        let outputs: Vec<FrfResponse> = std::iter::once(FrfResponse::LoadVoltage("load".into()))
+            .map(|patch| FrfOutput::Voltage(patch.clone()));
+        let outputs: Vec<FrfOutput> = std::iter::once(FrfOutput::LoadVoltage("load".into()))
             .chain(patches)
             .collect();
         let responses = frf(

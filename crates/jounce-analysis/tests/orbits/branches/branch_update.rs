@@ -27,7 +27,7 @@ fn update(
     let control = Control::default();
     let (base, key) = model(file, &control);
     let update = BranchUpdate {
-        harvester: &Parameter::new(&base, &key, RANGE.1 - RANGE.0),
+        family: &Parameter::new(&base, &key, RANGE.1 - RANGE.0),
         kernel: &base.kernel,
         range: RANGE,
         tolerance: 1e-9,
@@ -41,7 +41,7 @@ fn update(
 fn line_errors(file: &SpecFile, branches: &[Branch], tolerance: f64) -> Vec<Vec<f64>> {
     let (base, key) = model(file, &Control::default());
     let errors = LineErrors {
-        harvester: &Parameter::new(&base, &key, RANGE.1 - RANGE.0),
+        family: &Parameter::new(&base, &key, RANGE.1 - RANGE.0),
         kernel: &base.kernel,
         range: RANGE,
         tolerance,

@@ -20,7 +20,7 @@ pub fn orbit_of(model: &Model) -> Option<Orbit> {
     let line = KeyLine::at(model);
     let kernel = line.at(0.0).unwrap().kernel;
     let recognizer = Recognizer {
-        harvester: &line,
+        family: &line,
         kernel: &kernel,
         parameter: 0.0,
         options: Recognition {

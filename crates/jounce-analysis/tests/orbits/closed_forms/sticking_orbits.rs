@@ -6,7 +6,7 @@ use jounce_analysis::{
     Basins, BasinsResult, BranchKind, BranchSearch, Cloud, InitialStates, Model, OrbitMethodKind,
     Parameter, Recognition,
 };
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure::modes;
 use jounce_orbits::ParametricModel;
@@ -145,7 +145,7 @@ fn a_ball_at_rest_loads_its_disc_by_its_mass() {
     let voltage = frf(
         &plant,
         &FrfInput::BaseAcceleration,
-        &[FrfResponse::LoadVoltage("load".into())],
+        &[FrfOutput::LoadVoltage("load".into())],
         &[60.0],
     )
     .unwrap()[0]

@@ -4,7 +4,7 @@ use crate::commands::recordings::measured_frf;
 use crate::failure::Failure;
 use crate::hammer_arguments::HammerArguments;
 use crate::model_or_measured::ModelOrMeasured;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::spec_arguments::{ModelArguments, OutputArguments};
 use clap::Args;
 use jounce::{FrfOptions, FrfResult};
@@ -46,7 +46,7 @@ impl Frf {
             output::table(folder, "frf", &result.table()?, &manifest)?;
         }
         match self.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

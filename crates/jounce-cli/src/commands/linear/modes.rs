@@ -4,7 +4,7 @@ use crate::commands::recordings::measured_modes;
 use crate::failure::Failure;
 use crate::hammer_arguments::HammerArguments;
 use crate::model_or_measured::ModelOrMeasured;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::spec_arguments::{ModelArguments, OutputArguments};
 use clap::Args;
 use jounce::{MeasuredModesOptions, ModesOptions, ModesResult};
@@ -51,7 +51,7 @@ impl Modes {
             }
         }
         match self.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

@@ -1,7 +1,7 @@
 //! `jounce noise SPEC`
 
 use crate::failure::Failure;
-use crate::output::{self, line, power, print};
+use crate::output::{self, line, power};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::parts::RandomStop;
@@ -31,7 +31,7 @@ impl Noise {
             output::table(folder, "noise", &result.table()?, &manifest)?;
         }
         match self.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

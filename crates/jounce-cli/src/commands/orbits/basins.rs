@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::interruption;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -45,7 +45,7 @@ impl Basins {
             self.write(folder, &harvester, &result)?;
         }
         match self.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => self.print_result(&result)?,
         }
         interruption::end(&control, || {

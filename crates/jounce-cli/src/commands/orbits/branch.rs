@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::interruption;
 use crate::option_names::on_command_line;
-use crate::output::{self, counted, key_value, line, power, print};
+use crate::output::{self, counted, key_value, line, power};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -40,7 +40,7 @@ impl Branch {
             self.write(folder, &harvester, &result)?;
         }
         match self.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => print_lines(&result),
         }
         interruption::end(&control, || {

@@ -4,7 +4,7 @@ use crate::cache;
 use crate::failure::Failure;
 use crate::interruption;
 use crate::option_names::on_command_line;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -60,7 +60,7 @@ impl Diagram {
             self.write(folder, &harvester, &result)?;
         }
         match self.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => print_lines(&result),
         }
         interruption::end(&control, || {

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::interruption;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -50,7 +50,7 @@ impl Sensitivity {
             output::figure(folder, "sensitivity", &result.figure())?;
         }
         match self.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

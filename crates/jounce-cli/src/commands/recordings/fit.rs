@@ -1,7 +1,7 @@
 //! `jounce fit SPEC --to FEATURES`
 
 use crate::failure::Failure;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -67,7 +67,7 @@ impl Fit {
             write(folder, &result, &manifest.with("to", self.to.display()))?;
         }
         match self.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => print_fit(&result.estimate),
         }
         Ok(())

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::hammer_arguments::HammerArguments;
 use crate::measured_file::{or_issues, print_issues};
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::spec_arguments::OutputArguments;
 use jounce::{MeasuredFrfResult, Recording};
 
@@ -19,7 +19,7 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
         output::figure(folder, "frf", &result.figure())?;
     }
     match output.json {
-        true => print(&output::to_json(&result)?),
+        true => line(&output::to_json(&result)?),
         false => print_lines(&result),
     }
     Ok(())

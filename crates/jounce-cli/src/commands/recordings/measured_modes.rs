@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::hammer_arguments::HammerArguments;
 use crate::measured_file::{or_issues, print_issues};
 use crate::option_names::on_command_line;
-use crate::output::{self, line, print, with_uncertainty};
+use crate::output::{self, line, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
 use jounce::{Error, MeasuredModesOptions, MeasuredModesResult, Recording};
 use std::path::Path;
@@ -23,7 +23,7 @@ pub fn run(
         write(folder, hammer, options, &result)?;
     }
     match output.json {
-        true => print(&output::to_json(&result)?),
+        true => line(&output::to_json(&result)?),
         false => print_lines(&result),
     }
     Ok(())

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::measured_file::{manifest, or_issues, print_issues};
-use crate::output::{self, line, print, with_uncertainty};
+use crate::output::{self, line, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::parts::PowerRecord;
@@ -42,7 +42,7 @@ impl Power {
             self.write(folder, &result)?;
         }
         match self.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => result.records.iter().for_each(|one| self.print_record(one)),
         }
         Ok(())

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::measured_file::MeasuredFile;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::record;
 use clap::{Arg, Args};
 use jounce::parts::{Over, RecordingResult};
@@ -44,7 +44,7 @@ impl Read {
             self.write(folder, &file, &result)?;
         }
         match self.file.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

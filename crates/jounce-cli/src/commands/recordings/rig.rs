@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::measured_file::print_issues;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::record;
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
@@ -48,7 +48,7 @@ impl Rig {
         if self.json {
             let mut json = output::to_json(&result)?;
             json["file"] = self.to.display().to_string().into();
-            print(&json);
+            line(&json);
             return Ok(());
         }
         line(format!(

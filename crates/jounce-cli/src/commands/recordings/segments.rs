@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::measured_file::{MeasuredFile, print_issues, print_recording_issues};
-use crate::output::{self, counted, line, print, with_uncertainty};
+use crate::output::{self, counted, line, with_uncertainty};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce::parts::{Candidate, MAX_PERIOD_CYCLES, MergeReason, SegmentResult};
@@ -48,7 +48,7 @@ impl Segments {
             self.write(folder, &result)?;
         }
         match self.file.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => print_segments(&result),
         }
         Ok(())

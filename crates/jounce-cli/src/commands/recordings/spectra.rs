@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::measured_file::{MeasuredFile, or_issues, print_issues};
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use clap::Args;
 use jounce::{SpectraOptions, SpectraResult};
 use std::path::Path;
@@ -30,7 +30,7 @@ impl Spectra {
             self.write(folder, &result)?;
         }
         match self.file.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

@@ -4,7 +4,7 @@ mod mirror;
 mod stored;
 
 use crate::failure::Failure;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::record::COMMANDS;
 use clap::Args;
 use jounce::parts::{Manifest, Record};
@@ -65,7 +65,7 @@ impl Rerun {
             difference,
         };
         match self.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => result.print(&self.file, &stored.size()),
         }
         match result.equal {

@@ -3,7 +3,7 @@
 use crate::cache;
 use crate::failure::{Failure, of_file};
 use crate::interruption;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, print_recording_issues};
 use clap::Args;
@@ -73,7 +73,7 @@ impl Design {
         }
         output::warn(&result.warnings());
         match self.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => line(result.text()),
         }
         if result.outcome.ended_by == SearchEnd::Stopped {

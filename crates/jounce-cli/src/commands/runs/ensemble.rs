@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::interruption;
-use crate::output::{self, counted, line, print};
+use crate::output::{self, counted, line};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -35,7 +35,7 @@ impl Ensemble {
             self.write(folder, &harvester, &result)?;
         }
         match self.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => print_lines(&result),
         }
         interruption::end(&control, || {

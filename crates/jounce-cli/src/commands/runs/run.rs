@@ -3,7 +3,7 @@
 use super::run_lines::print_lines;
 use crate::failure::Failure;
 use crate::interruption;
-use crate::output::{self, print};
+use crate::output::{self, line};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -99,7 +99,7 @@ impl Run {
             }
         }
         match self.output.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

@@ -2,7 +2,7 @@
 
 use crate::failure::{Failure, of_file};
 use crate::interruption;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::progress;
 use crate::record;
 use crate::spec_arguments::print_recording_issues;
@@ -85,15 +85,16 @@ impl Study {
             Action::Merge(existing) => {
                 let path = existing.open()?.merge().map_err(Error::from)?;
                 match existing.json {
-                    true => print(&serde_json::json!({ "table": path })),
+                    true => line(&serde_json::json!({ "table": path })),
                     false => line(path.display()),
                 }
                 Ok(())
             }
             Action::Status(existing) => {
                 let folder = existing.open()?;
-                warn_of_transients(&folder);
-                print_status(&folder.status(), existing.json);
+                let status = folder.status();
+                warn_of_transients(&folder, &status);
+                print_status(&status, existing.json);
                 Ok(())
             }
             Action::Page(page) => page.run(),
@@ -125,7 +126,7 @@ impl Page {
         let page = study_page(&study, &name)?;
         write_file(&path, page.as_bytes()).map_err(Error::from)?;
         match self.study.json {
-            true => print(&serde_json::json!({ "page": path })),
+            true => line(&serde_json::json!({ "page": path })),
             false => line(path.display()),
         }
         Ok(())
@@ -152,7 +153,7 @@ impl Run {
         }
         output::warn(&status.warnings);
         let folder = StudyFolder::open(&self.out).map_err(Error::from)?;
-        warn_of_transients(&folder);
+        warn_of_transients(&folder, &status);
         print_status(&status, self.json);
         if status.merged && !self.json {
             let (table, _) = folder.merged().map_err(Error::from)?;
@@ -164,8 +165,8 @@ impl Run {
 }
 
 /// Warns of points that had not settled, whose values contain the transient.
-fn warn_of_transients(folder: &StudyFolder) {
-    let (unsettled, points) = (folder.unsettled_points(), folder.status().points);
+fn warn_of_transients(folder: &StudyFolder, status: &StudyStatus) {
+    let (unsettled, points) = (folder.unsettled_points(), status.points);
     if unsettled > 0 {
         output::warn(&[format!(
             "points that had not settled when they were averaged: {unsettled} of {points}; increase run.duration, or compute a quantity of orbits"
@@ -175,7 +176,7 @@ fn warn_of_transients(folder: &StudyFolder) {
 
 fn print_status(status: &StudyStatus, json: bool) {
     if json {
-        print(&serde_json::json!(status));
+        line(&serde_json::json!(status));
         return;
     }
     line(format!(

@@ -1,7 +1,7 @@
 //! `jounce cite SPEC`
 
 use crate::failure::Failure;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 
@@ -23,7 +23,7 @@ impl Cite {
     pub fn run(&self) -> Result<(), Failure> {
         let result = self.spec.harvester()?.cite();
         if self.json {
-            print(&output::to_json(&result)?);
+            line(&output::to_json(&result)?);
             return Ok(());
         }
         if self.bibtex {

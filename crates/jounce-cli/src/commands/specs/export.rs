@@ -1,7 +1,7 @@
 //! `jounce export SPEC`
 
 use crate::failure::Failure;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce::ExportOptions;
@@ -26,7 +26,7 @@ impl Export {
             .export(&self.options)
             .map_err(|error| self.spec.failure(error))?;
         match self.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => result.files.iter().for_each(|path| line(path.display())),
         }
         Ok(())

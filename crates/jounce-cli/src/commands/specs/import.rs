@@ -1,7 +1,7 @@
 //! `jounce import PATH`
 
 use crate::failure::Failure;
-use crate::output::{self, print, text, warn};
+use crate::output::{self, line, text, warn};
 use clap::Args;
 use jounce::{ImportOptions, import_matrices};
 use std::path::PathBuf;
@@ -24,7 +24,7 @@ impl Import {
         let result = import_matrices(&self.path, &self.options)?;
         warn(&result.warnings);
         match self.json {
-            true => print(&output::to_json(&result)?),
+            true => line(&output::to_json(&result)?),
             false => text(&result.spec),
         }
         Ok(())

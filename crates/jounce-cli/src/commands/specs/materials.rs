@@ -1,7 +1,7 @@
 //! `jounce materials`
 
 use crate::failure::Failure;
-use crate::output::{line, print};
+use crate::output::line;
 use clap::Args;
 
 /// Arguments of `materials`.
@@ -16,7 +16,7 @@ impl Materials {
     /// Lists the materials and the chips of regulators with their sources.
     pub fn run(&self) -> Result<(), Failure> {
         if self.json {
-            print(
+            line(
                 &serde_json::json!({ "materials": jounce::materials(), "chips": jounce::chips() }),
             );
             return Ok(());

@@ -1,7 +1,7 @@
 //! `jounce restitution`
 
 use crate::failure::Failure;
-use crate::output::{line, print, to_json};
+use crate::output::{line, to_json};
 use clap::Args;
 use jounce::{RestitutionOptions, restitution};
 
@@ -20,7 +20,7 @@ impl Restitution {
     pub fn run(&self) -> Result<(), Failure> {
         let result = restitution(&self.options)?;
         if self.json {
-            print(&to_json(&result)?);
+            line(&to_json(&result)?);
             return Ok(());
         }
         let range = |[low, high]: [f64; 2]| format!("{low:.3} to {high:.3}");

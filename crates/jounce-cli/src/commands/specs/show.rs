@@ -1,7 +1,7 @@
 //! `jounce show SPEC`
 
 use crate::failure::Failure;
-use crate::output::{line, origin, print};
+use crate::output::{line, origin};
 use crate::record;
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
@@ -35,7 +35,7 @@ impl Show {
         let manifest = origin(record::of_path(&path));
         drawing.write_with(&path, &manifest).map_err(Error::from)?;
         match self.json {
-            true => print(&serde_json::json!({ "drawing": path })),
+            true => line(&serde_json::json!({ "drawing": path })),
             false => line(path.display()),
         }
         Ok(())

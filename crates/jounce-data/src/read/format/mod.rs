@@ -12,3 +12,6 @@ pub(super) mod tdms;
 pub(super) mod text;
 pub(super) mod uff;
 pub(super) mod wav;
+
+/// Maximum compression ratio of deflate: 258 bytes by a pair of codes of one bit.
+const MAX_DEFLATE_RATIO: u64 = 1032;

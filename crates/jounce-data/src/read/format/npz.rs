@@ -10,14 +10,13 @@ use rawzip::{
     ZipFileHeaderRecord,
 };
 
+use super::MAX_DEFLATE_RATIO;
 use super::arrays::{Array, MAX_ARRAYS, Path, Tree, into_found};
 use super::npy::Header;
 use crate::read::column::samples::SampleStore;
 use crate::read::contents::FormatContents;
 use crate::read::error::Damage;
 
-/// Maximum compression ratio.
-const MAX_RATIO: u64 = 1032;
 /// Maximum total number of characters of a text array.
 const MAX_CHARACTERS: u64 = 1 << 20;
 
@@ -90,9 +89,11 @@ fn member(
     stored: &ZipEntry<'_, FileReader>,
     visit: impl FnOnce(&mut dyn Read, u64) -> Result<(), Damage>,
 ) -> Result<(), Damage> {
-    let bytes = entry
-        .uncompressed_size_hint()
-        .min(entry.compressed_size_hint().saturating_mul(MAX_RATIO));
+    let bytes = entry.uncompressed_size_hint().min(
+        entry
+            .compressed_size_hint()
+            .saturating_mul(MAX_DEFLATE_RATIO),
+    );
     let compressed = stored.reader();
     let content: Box<dyn Read + '_> = match entry.compression_method() {
         CompressionMethod::STORE => Box::new(compressed),

@@ -1,6 +1,7 @@
 //! Statistics of the samples of a channel, from one pass, and the issues that they show.
 
 use crate::recording::{Issue, IssueKind, IssuePlace};
+use jounce_units::STANDARD_GRAVITY_M_S2;
 
 /// Minimum number of leading or trailing zeros that are padding.
 const MIN_PADDING_SAMPLES: usize = 10;
@@ -13,9 +14,6 @@ const CODE_TOLERANCE: f64 = 1e-6;
 
 /// Roundoff of a conversion to SI.
 const ROUND_NUMBER_TOLERANCE: f64 = 1e-12;
-
-/// 1 g.
-const STANDARD_GRAVITY_M_S2: f64 = 9.80665;
 
 /// Fewest samples among which one can be an outlier.
 const MIN_OUTLIER_SAMPLES: usize = 100;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use jounce_analysis::run::{RunPlan, simulate};
 use jounce_analysis::{AnalysisError, Model};
-use jounce_model::linear::FrfResponse;
+use jounce_model::linear::FrfOutput;
 use jounce_spec::Quantity;
 
 use super::response::output;
@@ -21,7 +21,7 @@ pub struct HistoryFeature {
     /// Channel of the recording.
     pub channel: String,
     /// Measured output: a displacement, a velocity, or the voltage of a patch.
-    pub output: FrfResponse,
+    pub output: FrfOutput,
     /// Standard deviation of each sample relative to the RMS of the record.
     pub deviation: Deviation,
     /// Time of the run at the first sample, s; without it the stamps of the record are times of the
@@ -61,7 +61,7 @@ impl HistoryFeature {
             .and_then(|text| output(&text, reader));
         if matches!(
             result,
-            Some(FrfResponse::Acceleration(_) | FrfResponse::LoadVoltage(_))
+            Some(FrfOutput::Acceleration(_) | FrfOutput::LoadVoltage(_))
         ) {
             reader.fault("output", format!("output: {HISTORIES}"));
             return None;
@@ -183,7 +183,7 @@ impl HistoryFeature {
 
 /// Run of the model, sampled at the times of the record.
 pub(in crate::fit) struct HistoryModel {
-    pub output: FrfResponse,
+    pub output: FrfOutput,
     pub time_s: Vec<f64>,
     pub conditions: Conditions,
 }
@@ -233,8 +233,8 @@ impl HistoryModel {
             Box::new(move |x: &[f64]| shape.iter().zip(&x[first..]).map(|(s, q)| s * q).sum())
         };
         match &self.output {
-            FrfResponse::Velocity(point) => Ok(projection(shape(point)?, modes.len())),
-            FrfResponse::Voltage(patch) => {
+            FrfOutput::Velocity(point) => Ok(projection(shape(point)?, modes.len())),
+            FrfOutput::Voltage(patch) => {
                 let patch_index = modes.patch.keys().position(|name| name == patch);
                 let patch_index =
                     patch_index.ok_or_else(|| unknown(patch, modes.patch.keys().collect()))?;
@@ -242,7 +242,7 @@ impl HistoryModel {
                     plant.patch_voltages_v(x)[patch_index]
                 }))
             }
-            FrfResponse::Displacement(point) => Ok(projection(shape(point)?, 0)),
+            FrfOutput::Displacement(point) => Ok(projection(shape(point)?, 0)),
             other => Err(FitError::Features {
                 faults: vec![format!("history: output is {}; {HISTORIES}", other.name())],
             }),

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use jounce_linalg::c64;
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure;
 use jounce_spec::{Gravity, Quantity};
@@ -39,7 +39,7 @@ pub struct ResponseFeature {
     /// Excitation.
     pub input: FrfInput,
     /// Response output.
-    pub output: FrfResponse,
+    pub output: FrfOutput,
     /// Measured values.
     pub lines: MeasuredLines,
     /// True for the absolute motion of a sensor on the structure while the base moves; false for
@@ -98,10 +98,10 @@ impl ResponseFeature {
     /// Output, input and unit required of a file.
     pub(in crate::fit) fn channels(&self) -> ResponseChannels {
         let output = match self.output {
-            FrfResponse::Displacement(_) => Measures::Displacement,
-            FrfResponse::Velocity(_) => Measures::Velocity,
-            FrfResponse::Acceleration(_) => Measures::Acceleration,
-            FrfResponse::Voltage(_) | FrfResponse::LoadVoltage(_) => Measures::Voltage,
+            FrfOutput::Displacement(_) => Measures::Displacement,
+            FrfOutput::Velocity(_) => Measures::Velocity,
+            FrfOutput::Acceleration(_) => Measures::Acceleration,
+            FrfOutput::Voltage(_) | FrfOutput::LoadVoltage(_) => Measures::Voltage,
         };
         let input = if self.input == FrfInput::BaseAcceleration {
             Measures::Acceleration
@@ -119,7 +119,7 @@ impl ResponseFeature {
     pub(in crate::fit) fn relative_in_words(&self, position: &str) -> Option<String> {
         let is_motion = matches!(
             self.output,
-            FrfResponse::Displacement(_) | FrfResponse::Velocity(_) | FrfResponse::Acceleration(_)
+            FrfOutput::Displacement(_) | FrfOutput::Velocity(_) | FrfOutput::Acceleration(_)
         );
         (is_motion && self.input == FrfInput::BaseAcceleration && !self.absolute).then(|| {
             format!(
@@ -132,15 +132,15 @@ impl ResponseFeature {
 }
 
 /// Parses the response output, named as in `frf`.
-pub(super) fn output(text: &str, reader: &mut FeatureTable<'_>) -> Option<FrfResponse> {
+pub(super) fn output(text: &str, reader: &mut FeatureTable<'_>) -> Option<FrfOutput> {
     let result = text.rsplit_once('.').and_then(|(name, kind)| {
         let name = name.to_owned();
         Some(match kind {
-            "displacement" => FrfResponse::Displacement(name),
-            "velocity" => FrfResponse::Velocity(name),
-            "acceleration" => FrfResponse::Acceleration(name),
-            "voltage" => FrfResponse::Voltage(name),
-            "load_voltage" => FrfResponse::LoadVoltage(name),
+            "displacement" => FrfOutput::Displacement(name),
+            "velocity" => FrfOutput::Velocity(name),
+            "acceleration" => FrfOutput::Acceleration(name),
+            "voltage" => FrfOutput::Voltage(name),
+            "load_voltage" => FrfOutput::LoadVoltage(name),
             _ => return None,
         })
     });
@@ -290,7 +290,7 @@ impl ResponseChannels {
 /// Response to be evaluated: magnitudes, or real parts followed by imaginary parts.
 pub(in crate::fit) struct ResponseModel {
     pub input: FrfInput,
-    pub output: FrfResponse,
+    pub output: FrfOutput,
     pub absolute: bool,
     pub frequency_hz: Vec<f64>,
     pub complex: bool,
@@ -341,9 +341,9 @@ impl ResponseModel {
     fn base_response(&self, hz: f64) -> c64 {
         let jw = c64::new(0.0, std::f64::consts::TAU * hz);
         match (&self.input, &self.output) {
-            (FrfInput::BaseAcceleration, FrfResponse::Acceleration(_)) => c64::new(1.0, 0.0),
-            (FrfInput::BaseAcceleration, FrfResponse::Velocity(_)) => 1.0 / jw,
-            (FrfInput::BaseAcceleration, FrfResponse::Displacement(_)) => 1.0 / (jw * jw),
+            (FrfInput::BaseAcceleration, FrfOutput::Acceleration(_)) => c64::new(1.0, 0.0),
+            (FrfInput::BaseAcceleration, FrfOutput::Velocity(_)) => 1.0 / jw,
+            (FrfInput::BaseAcceleration, FrfOutput::Displacement(_)) => 1.0 / (jw * jw),
             _ => c64::new(0.0, 0.0),
         }
     }

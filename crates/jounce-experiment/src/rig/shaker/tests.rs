@@ -3,7 +3,7 @@
 use super::*;
 use crate::rig::{on_recorded_base, paper_spec};
 use jounce_data::recording::Quantity;
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::structure::{modes, modes_holding};
 use jounce_signal::Samples;
 
@@ -54,10 +54,10 @@ fn channels_are_the_frequency_responses_for_tones_and_disturbed_drives() {
     let (spec, modes) = linear();
     let linear_plant = plant(&spec, &modes);
     let responses = [
-        FrfResponse::Acceleration("table".to_owned()),
-        FrfResponse::Acceleration("beam.tip".to_owned()),
+        FrfOutput::Acceleration("table".to_owned()),
+        FrfOutput::Acceleration("beam.tip".to_owned()),
     ];
-    let responses = [&responses[..], &[FrfResponse::Voltage("mfc".to_owned())]].concat();
+    let responses = [&responses[..], &[FrfOutput::Voltage("mfc".to_owned())]].concat();
     let expected = frf(
         &linear_plant,
         &FrfInput::Force("table".to_owned()),
@@ -191,7 +191,7 @@ fn recorded_base_moves_the_structure() {
     let h = frf(
         &plant_on_base,
         &FrfInput::BaseAcceleration,
-        &[FrfResponse::Acceleration("beam.tip".to_owned())],
+        &[FrfOutput::Acceleration("beam.tip".to_owned())],
         &[20.0],
     )
     .unwrap()[0]

@@ -5,7 +5,7 @@ use jounce_data::recording::{Channel, Grid, Over, Quantity, Recording};
 use jounce_experiment::rig::{HammerTest, Sensor, hammer_test};
 use jounce_identification::modal::{Band, ModalSettings, identify};
 use jounce_identification::response::{ChannelChoice, MeasuredResponses};
-use jounce_model::linear::{Frf, FrfInput, FrfResponse, frf};
+use jounce_model::linear::{Frf, FrfInput, FrfOutput, frf};
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure;
 use jounce_signal::RandomStream;
@@ -38,9 +38,9 @@ fn plant() -> Plant {
     Plant::new(System::assemble(&spec, modes).expect("a system")).expect("a plant")
 }
 
-fn accelerations() -> Vec<FrfResponse> {
+fn accelerations() -> Vec<FrfOutput> {
     ["beam.tip", "beam.middle"]
-        .map(|point| FrfResponse::Acceleration(point.to_owned()))
+        .map(|point| FrfOutput::Acceleration(point.to_owned()))
         .to_vec()
 }
 

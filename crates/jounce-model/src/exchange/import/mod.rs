@@ -6,7 +6,7 @@ mod shapes;
 
 use super::projection::Projection;
 use super::{ExchangeFaults, MatrixSet};
-use jounce_sparse::{MatrixEntries, SparseError, SymmetricMatrix, lowest_modes};
+use jounce_sparse::{MAX_DIMENSION, MatrixEntries, SparseError, SymmetricMatrix, lowest_modes};
 use jounce_spec::Modal;
 use reduced::Reduced;
 use shapes::GivenShapes;
@@ -26,9 +26,6 @@ const DENSE: [&str; 6] = [
     "shapes",
     "frequency_hz",
 ];
-
-/// Largest number of rows or columns.
-const MAX_SIZE: usize = 100_000_000;
 
 /// Number of modes, and the meaning of the numbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -155,9 +152,9 @@ fn wide_faults(set: &MatrixSet) -> Vec<String> {
 /// not finite.
 fn entry_fault((name, matrix): (&String, &MatrixEntries)) -> Option<String> {
     let (rows, columns) = (matrix.rows, matrix.columns);
-    if rows.max(columns) > MAX_SIZE {
+    if rows.max(columns) > MAX_DIMENSION {
         return Some(format!(
-            "{name} is {rows} x {columns}; at most {MAX_SIZE} rows and columns are read"
+            "{name} is {rows} x {columns}; at most {MAX_DIMENSION} rows and columns are read"
         ));
     }
     let is_wrong = |(row, column, value): &&(usize, usize, f64)| {

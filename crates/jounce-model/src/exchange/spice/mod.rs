@@ -32,7 +32,7 @@ const STEPS_PER_PERIOD: f64 = 60.0;
 /// between bases, drives other than sines and gravity.
 ///
 /// # Validation
-/// `tests/library/exchange.rs` of the crate `jounce`: ngspice and jounce agree on the mean power of the
+/// `crates/jounce/tests/library/exchange.rs`: ngspice and jounce agree on the mean power of the
 /// harvester of the 2019 paper.
 pub fn netlist(title: &str, system: &System, run: &Run) -> Result<String, ExchangeFaults> {
     let faults = faults(system);

@@ -61,6 +61,9 @@ pub struct VoltageBand {
 }
 
 impl Regulator {
+    /// Phase in which the device sleeps; the others are its task.
+    pub const SLEEP: usize = 2;
+
     /// Returns the regulator of a circuit with its device; `None` without one.
     pub fn of(spec: &Spec, circuit: &Circuit) -> Option<Self> {
         let regulator = spec.regulator.get(&circuit.regulator)?;

@@ -1,6 +1,6 @@
 //! Blocks of a diagonalised plant and their exact flow.
 
-use super::block_pair::{BlockPair, grown};
+use super::block_pair::{BlockPair, exponential_integral_s};
 use jounce_linalg::c64;
 
 /// Ratio to the fastest rate below which a rate is roundoff of zero; eigenvalues of coupled states
@@ -71,7 +71,9 @@ impl BlockDiagonal {
                 let [a, b, c, d] = block.integral(time_s);
                 [uv[0] * a + uv[1] * c, uv[0] * b + uv[1] * d]
             })
-            .chain(reals.map(|(rate, r)| grown(c64::new(*rate, 0.0), time_s).re * r))
+            .chain(
+                reals.map(|(rate, r)| exponential_integral_s(c64::new(*rate, 0.0), time_s).re * r),
+            )
             .collect()
     }
 
@@ -168,7 +170,7 @@ impl BlockDiagonal {
     }
 
     /// Returns `|eigenvalue|` of the block of each state, rad/s.
-    pub fn speeds(&self) -> Vec<f64> {
+    pub fn eigenvalue_magnitudes_rad_s(&self) -> Vec<f64> {
         let pairs = self
             .pairs
             .iter()
@@ -211,7 +213,11 @@ impl BlockDiagonal {
 
     /// Returns the rate below which a rate is roundoff of zero, 1/s.
     pub fn zero_rate(&self) -> f64 {
-        ZERO_RATE * self.speeds().into_iter().fold(0.0, f64::max)
+        ZERO_RATE
+            * self
+                .eigenvalue_magnitudes_rad_s()
+                .into_iter()
+                .fold(0.0, f64::max)
     }
 
     /// Returns `A^-1 y`, with 0 for the excluded states; free states must be excluded.

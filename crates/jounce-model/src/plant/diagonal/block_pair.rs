@@ -63,7 +63,7 @@ impl BlockPair {
                 [envelope, envelope * time_s, 0.0, envelope]
             }
             BlockPair::FreeBody { rate } => {
-                let distance = grown(c64::new(rate, 0.0), time_s).re;
+                let distance = exponential_integral_s(c64::new(rate, 0.0), time_s).re;
                 [1.0, distance, 0.0, (rate * time_s).exp()]
             }
         }
@@ -73,12 +73,15 @@ impl BlockPair {
     pub fn integral(&self, time_s: f64) -> [f64; 4] {
         match *self {
             BlockPair::Oscillatory { .. } => {
-                let integral = grown(self.eigenvalue(), time_s);
+                let integral = exponential_integral_s(self.eigenvalue(), time_s);
                 [integral.re, -integral.im, integral.im, integral.re]
             }
             BlockPair::Jordan { rate } => {
                 // int t e^(rate t) dt
-                let (z, first_integral) = (rate * time_s, grown(c64::new(rate, 0.0), time_s).re);
+                let (z, first_integral) = (
+                    rate * time_s,
+                    exponential_integral_s(c64::new(rate, 0.0), time_s).re,
+                );
                 let twice = if z.abs() < 1.0 {
                     time_s * time_s * series(z, |k| f64::from(k + 2))
                 } else {
@@ -88,7 +91,10 @@ impl BlockPair {
             }
             BlockPair::FreeBody { rate } => {
                 // int (e^(rate t) - 1) / rate dt
-                let (z, distance) = (rate * time_s, grown(c64::new(rate, 0.0), time_s).re);
+                let (z, distance) = (
+                    rate * time_s,
+                    exponential_integral_s(c64::new(rate, 0.0), time_s).re,
+                );
                 let moved = if z.abs() < 1.0 {
                     time_s * time_s * series(z, |k| f64::from((k + 1) * (k + 2)))
                 } else {
@@ -126,8 +132,9 @@ fn series(z: f64, divisor: impl Fn(i32) -> f64) -> f64 {
     terms.sum()
 }
 
-/// Returns `(e^(rate t) - 1) / rate`, s, without cancellation.
-pub fn grown(rate: c64, time_s: f64) -> c64 {
+/// Returns the integral of `e^(rate s)` over a time, `(e^(rate t) - 1) / rate`, s, without
+/// cancellation.
+pub fn exponential_integral_s(rate: c64, time_s: f64) -> c64 {
     let z = rate * time_s;
     if z == c64::new(0.0, 0.0) {
         return c64::new(time_s, 0.0);

@@ -19,8 +19,8 @@
 //! The displacement of a mode without stiffness acts on nothing. It is left out of the eigenproblem
 //! and added as the integral of its velocity ([`free_bodies`]).
 //!
-//! Validation: `tests/plant` checks the residual of `A T = T J` and the eigenvalues against the
-//! secular equation.
+//! Validation: `crates/jounce-dynamics/tests/plant` checks the residual of `A T = T J` and the
+//! eigenvalues against the secular equation.
 
 pub(super) mod block_diagonal;
 pub(super) mod block_pair;

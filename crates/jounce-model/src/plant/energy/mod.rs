@@ -14,7 +14,8 @@
 //! required. A power that is linear in `y` (the power of the drive) has `P = 0`. Drives that are
 //! linear in time between breakpoints add the terms of [`super::SignalMeter`].
 //!
-//! Validation: `tests/plant` compares with Gauss quadrature along exact flows.
+//! Validation: `crates/jounce-dynamics/tests/plant` compares with Gauss quadrature along exact
+//! flows.
 
 pub(super) mod lyapunov;
 pub(super) mod quadratic;

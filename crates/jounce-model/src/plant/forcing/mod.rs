@@ -105,8 +105,8 @@ impl Plant {
         block
             .free()
             .into_iter()
-            .zip(block.speeds())
-            .map(|(free, speed)| free || speed <= fastest_rad_s)
+            .zip(block.eigenvalue_magnitudes_rad_s())
+            .map(|(free, rad_s)| free || rad_s <= fastest_rad_s)
             .collect()
     }
 
@@ -115,10 +115,10 @@ impl Plant {
     fn fastest_rad_s_of(&self, states: &[bool]) -> f64 {
         let block = &self.diagonal.block;
         let zero = block.zero_rate();
-        let speeds = block.speeds().into_iter().zip(states);
-        speeds
-            .filter(|(speed, is_one)| **is_one && *speed > zero)
-            .fold(0.0_f64, |max, (speed, _)| max.max(speed))
+        let magnitudes = block.eigenvalue_magnitudes_rad_s().into_iter().zip(states);
+        magnitudes
+            .filter(|(rad_s, is_one)| **is_one && *rad_s > zero)
+            .fold(0.0_f64, |max, (rad_s, _)| max.max(rad_s))
     }
 
     /// Returns `P`, the forced part of the state under signals, a time after the reset of local

@@ -1,6 +1,6 @@
 //! Sinusoidal drives: response of the plant to each frequency without contact.
 
-use crate::plant::diagonal::block_pair::grown;
+use crate::plant::diagonal::block_pair::exponential_integral_s;
 use crate::plant::{Plant, PlantError, Port, dot};
 use jounce_linalg::c64;
 
@@ -74,7 +74,8 @@ impl Plant {
         let mut sum = vec![0.0; self.len()];
         for tone in &self.tones {
             let rate = c64::new(0.0, tone.angular_frequency_rad_s);
-            let turn = c64::cis(tone.angular_frequency_rad_s * from_s) * grown(rate, length_s);
+            let turn = c64::cis(tone.angular_frequency_rad_s * from_s)
+                * exponential_integral_s(rate, length_s);
             sum.iter_mut()
                 .zip(&tone.steady)
                 .for_each(|(s, y)| *s += (turn * y).re);

@@ -5,11 +5,8 @@
 //! displacements of its free masses are coordinates without constraints between them.
 
 use crate::structure::error::StructureError;
-use jounce_spec::{Beam, GROUND, Mass, Spec};
+use jounce_spec::{Beam, GROUND, Mass, NO_SUPPORT, Spec};
 use std::collections::BTreeSet;
-
-/// Word for a missing support.
-const NO_SUPPORT: &str = "nothing";
 
 /// A connected structure; its modes are independent of those of every other structure.
 #[derive(Debug, Clone, PartialEq)]

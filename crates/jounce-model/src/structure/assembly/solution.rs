@@ -8,12 +8,9 @@ use crate::structure::beam::layout::{BeamSegment, segments};
 use crate::structure::beam::mesh::Mesh;
 use crate::structure::error::StructureError;
 use crate::structure::modes::merge::ModeOrder;
-use jounce_spec::{Mass, Reduction, Spec};
+use jounce_spec::{Mass, NO_SUPPORT, Reduction, Spec};
 use std::collections::BTreeMap;
 
-/// Largest number of retained modes: higher modes are far outside the validity of beam theory, and
-/// the dense solve is slow.
-const MAX_MODES: usize = 200;
 /// Largest number of unknowns of a mesh; a dense solve with 2000 takes some seconds.
 const MAX_UNKNOWNS: usize = 3000;
 
@@ -56,14 +53,14 @@ impl<'a> Structures<'a> {
             .filter(|name| fixed_masses.contains(name))
             .count();
         let own_coordinates =
-            |mass: &Mass| usize::from(mass.stiffness_n_m.is_some() || mass.on == "nothing");
+            |mass: &Mass| usize::from(mass.stiffness_n_m.is_some() || mass.on == NO_SUPPORT);
         let available = match segments.is_empty() {
             true => bodies
                 .iter()
                 .flat_map(Body::masses)
                 .map(|(_, _, mass)| own_coordinates(mass))
                 .sum(),
-            false => MAX_MODES,
+            false => Reduction::MAX_MODES,
         };
         // The default number never exceeds the available number.
         let is_default = spec.reduction.modes == Reduction::default().modes;

@@ -1,5 +1,6 @@
 //! A circuit: its elements between two wires.
 
+use super::bodies::BODY;
 use crate::drawing::canvas::INK;
 use crate::drawing::layout::labels::{LINE, size_of};
 use crate::drawing::symbols::electric;
@@ -83,13 +84,7 @@ fn element(svg: &mut Svg, element: &DrawnElement, x: f64, ends: (f64, f64)) {
         DrawnElement::Patches(patches) => stack(svg, patches, x, ends),
         DrawnElement::Block(words) => {
             let (width, height) = (size_of(words).0 + 20.0, ends.1 - ends.0 + 16.0);
-            svg.rect(
-                x,
-                ends.0 - 8.0,
-                width,
-                height,
-                "class=\"jounce-body\" fill=\"#dfe3e8\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"",
-            );
+            svg.rect(x, ends.0 - 8.0, width, height, BODY);
             words_at(svg, words, x + 10.0, middle);
         }
         DrawnElement::SeriesInductor(words) => {

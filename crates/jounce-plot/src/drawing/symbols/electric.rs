@@ -1,6 +1,7 @@
 //! Symbols of circuits in a vertical wire from `top` to `bottom`, and one in a horizontal wire.
 
 use crate::drawing::canvas::INK;
+use crate::drawing::parts::bodies::PATCH;
 use crate::svg::{Svg, number};
 
 /// Half the length of a symbol, px.
@@ -53,13 +54,7 @@ pub fn patch(svg: &mut Svg, x: f64, (top, bottom): (f64, f64)) {
         (x - 12.0, middle + 8.0),
         (x + 12.0, middle + 8.0),
     );
-    svg.rect(
-        x - 10.0,
-        middle - 5.0,
-        20.0,
-        10.0,
-        "class=\"jounce-patch\" fill=\"#e69f00\"",
-    );
+    svg.rect(x - 10.0, middle - 5.0, 20.0, 10.0, PATCH);
     svg.path(&steps, INK);
 }
 

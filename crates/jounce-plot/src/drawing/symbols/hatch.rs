@@ -1,5 +1,6 @@
 //! The ground: a line with hatching on its far side.
 
+use crate::drawing::canvas::INK;
 use crate::svg::{Svg, number};
 
 /// Side of a line on which the hatching lies.
@@ -17,8 +18,6 @@ pub enum HatchSide {
 
 /// Depth of the hatching, px.
 pub const HATCH: f64 = 7.0;
-
-const LOOK: &str = "class=\"jounce-rule\" stroke=\"#1a1a1a\" stroke-width=\"1.2\" fill=\"none\"";
 
 /// Draws ground along a line of the given length from a corner.
 pub fn ground(svg: &mut Svg, (x, y): (f64, f64), length: f64, far: HatchSide) {
@@ -52,5 +51,5 @@ pub fn ground(svg: &mut Svg, (x, y): (f64, f64), length: f64, far: HatchSide) {
             number(to.1)
         ));
     }
-    svg.path(&steps, LOOK);
+    svg.path(&steps, INK);
 }

@@ -1,6 +1,6 @@
 //! Hits of an impact hammer in a force record.
 
-use crate::Samples;
+use crate::{NORMAL_QUARTILE, Samples};
 use serde::Serialize;
 
 use super::HitWarning;
@@ -103,7 +103,7 @@ fn noise(values: &[f64]) -> f64 {
     *magnitudes
         .select_nth_unstable_by(median_index, f64::total_cmp)
         .1
-        / 0.674_489_75
+        / NORMAL_QUARTILE
 }
 
 /// First sample, peak and end of every interval above the edge of its own peak.

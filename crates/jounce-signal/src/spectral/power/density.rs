@@ -1,6 +1,6 @@
 //! Power spectral density by Welch's method.
 
-use crate::{Samples, Window};
+use crate::Samples;
 use jounce_control::Control;
 
 use super::Segments;
@@ -32,19 +32,12 @@ pub fn density_unit(unit: &str) -> String {
 
 impl Density {
     /// Computes `S(f_k) = c_k / (r sum w^2) mean |X_k|^2`, `c_k = 2` but 1 at zero and half the
-    /// rate, after subtracting the mean of the record.
+    /// rate, after subtracting the mean of the record, with a cancellation check before each
+    /// segment.
     ///
     /// # Errors
-    /// A segment longer than the record.
-    pub fn welch(samples: &Samples<'_>, segments: &Segments) -> Result<Self, SpectralError> {
-        Self::welch_watched(samples, segments, &Control::default())
-    }
-
-    /// Computes the density with a cancellation check before each segment.
-    ///
-    /// # Errors
-    /// Those of [`Density::welch`], and [`SpectralError::Stopped`].
-    pub fn welch_watched(
+    /// A segment longer than the record, and [`SpectralError::Stopped`].
+    pub fn welch(
         samples: &Samples<'_>,
         segments: &Segments,
         control: &Control,
@@ -77,36 +70,13 @@ impl Density {
             mean,
         })
     }
-
-    /// Variance between two frequencies, unit^2.
-    pub fn variance_between(&self, low_hz: f64, high_hz: f64) -> f64 {
-        let in_band = |f: &f64| (low_hz..=high_hz).contains(f);
-        self.frequency_hz
-            .iter()
-            .zip(&self.density)
-            .filter(|(f, _)| in_band(f))
-            .map(|(_, s)| s * self.resolution_hz)
-            .sum()
-    }
-}
-
-impl Segments {
-    /// Returns default segments for a record: an eighth of it, Hann, half overlapping.
-    ///
-    /// # Errors
-    /// A record of fewer than 8 samples.
-    pub fn with_default_length(samples: &Samples<'_>) -> Result<Self, SpectralError> {
-        let count = samples.values().len();
-        let length = (count / 8).max(256).min(count) / 2 * 2;
-        Self::new(length, 0.5, Window::Hann)
-    }
 }
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::RandomStream;
+    use crate::{RandomStream, Window};
     use jounce_fft::Complex;
     use std::f64::consts::TAU;
 
@@ -115,14 +85,18 @@ mod tests {
         (0..count / 2).flat_map(|_| stream.normal_pair()).collect()
     }
 
+    fn density(samples: &Samples<'_>, length: usize) -> Result<Density, SpectralError> {
+        let segments = Segments::new(length, 0.5, Window::Hann)?;
+        Density::welch(samples, &segments, &Control::default())
+    }
+
     /// White noise of variance 1 at r Hz has the density 2/r; measured with 511 segments: 0.2 % low on average, and the integral is the variance
     /// to 3.3e-4.
     #[test]
     fn white_noise_is_flat_at_its_known_density() {
         let values = noise(1 << 17, 3);
         let samples = Samples::new(&values, 1000.0).unwrap();
-        let density =
-            Density::welch(&samples, &Segments::new(512, 0.5, Window::Hann).unwrap()).unwrap();
+        let density = density(&samples, 512).unwrap();
         let mean = density.density[2..255].iter().sum::<f64>() / 253.0;
         assert!((mean / 2e-3 - 1.0).abs() < 0.01, "{mean}");
         let max_error = density.density[2..255]
@@ -131,7 +105,8 @@ mod tests {
             .fold(0.0, f64::max);
         // Relative deviation of a line: about 1/sqrt(511 * 18/19 ..); five of them.
         assert!(max_error < 0.3, "{max_error}");
-        assert!((density.variance_between(0.0, 500.0) - samples.rms().powi(2)).abs() < 0.01);
+        let variance = density.density.iter().sum::<f64>() * density.resolution_hz;
+        assert!((variance - samples.rms().powi(2)).abs() < 0.01);
     }
 
     /// A first-order recursion has a density in closed form; measured 3.1 % rms over 1023 segments, 1/sqrt(1023) = 3.1 %.
@@ -146,11 +121,7 @@ mod tests {
                 state
             })
             .collect();
-        let density = Density::welch(
-            &Samples::new(&coloured, 1.0).unwrap(),
-            &Segments::new(512, 0.5, Window::Hann).unwrap(),
-        )
-        .unwrap();
+        let density = density(&Samples::new(&coloured, 1.0).unwrap(), 512).unwrap();
         let exact_density = |f: f64| {
             2.0 / (Complex::new(1.0, 0.0) - 0.9 * Complex::from_polar(1.0, -TAU * f)).norm_sqr()
         };
@@ -181,12 +152,12 @@ mod tests {
         let values = vec![1.0; 63];
         let samples = Samples::new(&values, 1.0).unwrap();
         assert!(matches!(
-            Density::welch(&samples, &Segments::new(64, 0.5, Window::Hann).unwrap()),
+            density(&samples, 64),
             Err(SpectralError::Segment { samples: 63, .. })
         ));
         let control = Control::default();
         control.stop();
-        let stopped = Density::welch_watched(
+        let stopped = Density::welch(
             &samples,
             &Segments::new(32, 0.5, Window::Hann).unwrap(),
             &control,

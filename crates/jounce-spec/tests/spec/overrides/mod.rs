@@ -253,7 +253,7 @@ fn files_that_cannot_be_read_have_a_reason() {
     ));
     assert!(matches!(
         SpecFile::read(folder.path()),
-        Err(ReadError::Directory { .. })
+        Err(ReadError::Folder { .. })
     ));
     std::fs::write(&path, b"[run]\nstart = \"\xff\xfe\"").unwrap();
     let Err(garbage) = SpecFile::read(&path) else {

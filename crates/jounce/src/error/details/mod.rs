@@ -146,9 +146,7 @@ impl From<&ReadError> for ErrorDetails {
                 let details = json!({ "path": path, "errno": NO_SUCH_FILE });
                 Self::new("FileError").with(details)
             }
-            ReadError::Directory { path } | ReadError::TooLarge { path } => {
-                Self::of_file(path, None)
-            }
+            ReadError::Folder { path } | ReadError::TooLarge { path } => Self::of_file(path, None),
         }
     }
 }
@@ -244,12 +242,12 @@ impl From<&StudyError> for ErrorDetails {
             StudyError::Study(error) => error.into(),
             StudyError::Faults(faults) => Self::of_faults(faults),
             StudyError::Spec { faults, .. } => faults.into(),
-            error => Self::new("StudyError").with(survey_details(error)),
+            error => Self::new("StudyError").with(study_details(error)),
         }
     }
 }
 
-fn survey_details(error: &StudyError) -> Value {
+fn study_details(error: &StudyError) -> Value {
     match error {
         StudyError::Unreadable { path, .. } | StudyError::Damaged { path, .. } => {
             json!({ "path": path })

@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// Relative tolerance of the integration.
 pub(super) const TOLERANCE: f64 = 1e-6;
 /// Goal of Newton's method for settled orbits, relative to the state.
-const SETTLED_RESIDUAL: f64 = 1e-6;
+const SETTLED_CORRECTION_GOAL: f64 = 1e-6;
 /// Relative corrections of updated points below this are omitted: curves are accurate to a
 /// thousandth of their height.
 const MIN_CORRECTION: f64 = 5e-4;
@@ -67,7 +67,7 @@ impl DraftProblem<'_> {
             return carried;
         }
         let warm_start = WarmStart {
-            harvester: self.parameter,
+            family: self.parameter,
             kernel,
             range,
             tolerance: TOLERANCE,
@@ -108,7 +108,7 @@ impl DraftProblem<'_> {
             })
         });
         let update = BranchUpdate {
-            harvester: self.parameter,
+            family: self.parameter,
             kernel: &self.base.kernel,
             range: last.range,
             tolerance: TOLERANCE,
@@ -137,13 +137,13 @@ impl CarriedBranches {
 
 /// Returns the orbits on which an integration from rest and from the steady state settles at both
 /// ends of the range.
-fn settled_orbits(harvester: &Parameter, base: &Model, range: (f64, f64)) -> Vec<KnownOrbit> {
+fn settled_orbits(family: &Parameter, base: &Model, range: (f64, f64)) -> Vec<KnownOrbit> {
     let plant = &base.kernel.plant;
     let rest = vec![0.0; plant.len()];
     let steady = plant.to_physical(&rest, 0.0);
     let (low, high) = range;
     let settle = |parameter: f64, start: &[f64]| {
-        let orbit = settled_orbit(harvester, parameter, start, TOLERANCE, SETTLED_RESIDUAL)?;
+        let orbit = settled_orbit(family, parameter, start, TOLERANCE, SETTLED_CORRECTION_GOAL)?;
         Some(KnownOrbit {
             period_cycles: orbit.period_cycles,
             state: orbit.start().to_vec(),

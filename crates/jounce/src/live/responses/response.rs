@@ -105,7 +105,7 @@ impl LiveAnalysis {
         );
         let mut result = ResponseResult::new(&key, system(&base), linear, &carried.branches);
         let errors = LineErrors {
-            harvester: &parameter,
+            family: &parameter,
             kernel: &base.kernel,
             range,
             tolerance: TOLERANCE,

@@ -1,9 +1,7 @@
 //! Checks array sizes against the file size before reading.
 
+use crate::read::format::MAX_DEFLATE_RATIO;
 use hdf5_pure::{Dataset, Layout};
-
-/// Maximum compression ratio.
-const MAX_RATIO: u64 = 1032;
 
 /// Returns the dimensions of an array that is completely stored; `Err` gives the reason why it
 /// cannot be read.
@@ -81,7 +79,7 @@ fn chunks(
                 .zip(shape)
                 .all(|(offset, side)| offset < side);
         let end = chunk.address.saturating_add(chunk.storage_size);
-        if !is_inside || end > file_size || bytes / MAX_RATIO > chunk.storage_size {
+        if !is_inside || end > file_size || bytes / MAX_DEFLATE_RATIO > chunk.storage_size {
             return Err(format!(
                 "the chunk at {:?} of {} bytes is impossible: is the file truncated?",
                 chunk.offset, chunk.storage_size

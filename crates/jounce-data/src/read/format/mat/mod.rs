@@ -15,13 +15,12 @@ use flate2::read::ZlibDecoder;
 use crate::read::column::samples::SampleStore;
 use crate::read::contents::FormatContents;
 use crate::read::error::Damage;
+use crate::read::format::MAX_DEFLATE_RATIO;
 use crate::read::format::arrays::{Path, Tree, into_found};
 use elements::{COMPRESSED, Elements, MATRIX, Tag};
 
 /// Bytes of the file header; the last two give the byte order.
 const HEADER: usize = 128;
-/// Maximum compression ratio: 258 by a pair of codes of one bit.
-const MAX_RATIO: u64 = 1032;
 
 pub(in crate::read) fn read(
     path: &FilePath,
@@ -63,7 +62,7 @@ fn element(
     if tag.kind == COMPRESSED {
         let mut inflated = ZlibDecoder::new(&mut content);
         let inner_tag = Tag::read(&mut inflated, little_endian)?;
-        if inner_tag.length / MAX_RATIO > tag.length {
+        if inner_tag.length / MAX_DEFLATE_RATIO > tag.length {
             let why = format!(
                 "{} bytes cannot be {} compressed ones: is the file truncated?",
                 inner_tag.length, tag.length

@@ -9,7 +9,7 @@ mod records;
 mod trials;
 
 use jounce_fft::Complex;
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfOutput, frf};
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure;
 use jounce_spec::{Spec, SpecFile};
@@ -87,7 +87,7 @@ fn with_load(spec: &Spec, ohm: f64) -> Plant {
 
 /// Voltage over the load per acceleration of the base.
 fn voltage(plant: &Plant, frequency_hz: &[f64]) -> Vec<Complex<f64>> {
-    let output = [FrfResponse::LoadVoltage("load".to_owned())];
+    let output = [FrfOutput::LoadVoltage("load".to_owned())];
     frf(plant, &FrfInput::BaseAcceleration, &output, frequency_hz)
         .expect("a response")
         .remove(0)

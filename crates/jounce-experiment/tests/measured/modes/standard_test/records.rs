@@ -8,9 +8,9 @@ use jounce_experiment::rig::Sensor;
 use jounce_fft::Complex;
 use jounce_identification::modal::{Band, ModalSettings, Mode, identify};
 use jounce_identification::response::{ChannelChoice, Excitation, MeasuredResponses};
-use jounce_model::linear::{FrfInput, FrfResponse};
-use jounce_signal::RandomStream;
+use jounce_model::linear::{FrfInput, FrfOutput};
 use jounce_signal::spectral::ImpactSettings;
+use jounce_signal::{NORMAL_95, RandomStream};
 
 /// A base under white noise of 3 m/s^2 rms and the voltage in the steady state, with noise of 1 % of the rms of each.
 pub fn record(response: &[Complex<f64>], stream: &mut RandomStream) -> Recording {
@@ -85,7 +85,7 @@ pub fn identified_mode(record: Recording) -> (MeasuredResponses, Mode) {
 
 /// Half of an interval of 95 % as a deviation, relative.
 fn deviation(half_width: f64, value: f64) -> Deviation {
-    Deviation::Given(half_width / Mode::QUANTILE_95 / value)
+    Deviation::Given(half_width / NORMAL_95 / value)
 }
 
 fn conditions(ohm: f64) -> Vec<(String, String)> {
@@ -121,7 +121,7 @@ pub fn flank_feature(
     let value = lines.iter().map(|k| function.value[*k]).collect();
     ResponseFeature {
         input: FrfInput::BaseAcceleration,
-        output: FrfResponse::LoadVoltage("load".to_owned()),
+        output: FrfOutput::LoadVoltage("load".to_owned()),
         lines: MeasuredLines::Complex(
             lines.iter().map(|k| function.frequency_hz[*k]).collect(),
             value,

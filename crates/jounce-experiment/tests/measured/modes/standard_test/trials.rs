@@ -7,10 +7,9 @@ use jounce_analysis::AnalysisError;
 use jounce_control::Control;
 use jounce_experiment::fit::{Features, FitResult, fit};
 use jounce_fft::Complex;
-use jounce_identification::modal::Mode;
 use jounce_model::plant::Plant;
-use jounce_signal::RandomStream;
 use jounce_signal::spectral::mean_power;
+use jounce_signal::{NORMAL_95, RandomStream};
 use jounce_spec::Spec;
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -104,7 +103,7 @@ fn fifth_load(
         .derived(fitted, |spec| power(spec, &base))
         .expect("a power");
     // The interval of the prediction is that of the fitted keys; the noise of the sensors adds to it.
-    let noise = Mode::QUANTILE_95 * sensor_deviation(fitted, &base);
+    let noise = NORMAL_95 * sensor_deviation(fitted, &base);
     let widened =
         |end: f64, sign: f64| predicted.value + sign * (end - predicted.value).hypot(noise);
     normalized_error(

@@ -1,4 +1,5 @@
-//! Linearisation along a recorded integration in one conduction state, step by step.
+//! Integration of the variational equation along a recorded integration in one conduction state,
+//! step by step.
 
 use super::SensitivityError;
 use super::elimination::NodeSystem;
@@ -29,8 +30,8 @@ pub struct ConductionSegment<'a> {
     pub end: &'a [f64],
 }
 
-/// Linearisation of a segment in progress.
-pub struct Linearization<'a, 'p> {
+/// Integration of the variational equation along a segment, in progress.
+pub struct VariationalIntegration<'a, 'p> {
     pub(super) kernel: &'a Kernel,
     pub(super) drift: &'a ParameterSensitivity,
     /// Tables of the lengths that are no levels.
@@ -65,7 +66,7 @@ pub struct LinearizedSegment<'p> {
     pub parameters: Option<Box<Parameters<'p>>>,
 }
 
-impl<'a, 'p> Linearization<'a, 'p> {
+impl<'a, 'p> VariationalIntegration<'a, 'p> {
     /// Continues with the derivatives of the state at the start of a segment; `sizes` are the
     /// signal samples.
     pub fn new(
@@ -227,7 +228,7 @@ impl<'a, 'p> Linearization<'a, 'p> {
     }
 }
 
-impl<'p> Task for Linearization<'_, 'p> {
+impl<'p> Task for VariationalIntegration<'_, 'p> {
     type Output = Result<LinearizedSegment<'p>, SensitivityError>;
 
     #[inline(always)]
