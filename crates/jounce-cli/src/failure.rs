@@ -80,7 +80,7 @@ impl Failure {
         };
         output::note(&text);
         if json {
-            line(&serde_json::json!({ "error": text, "exit_code": code, "faults": faults }));
+            line(serde_json::json!({ "error": text, "exit_code": code, "faults": faults }));
         }
         ExitCode::from(code)
     }

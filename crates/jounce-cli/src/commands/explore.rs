@@ -90,7 +90,7 @@ impl Explore {
         let explorer = Explorer::bind(options)?;
         let page = explorer.page();
         match self.json {
-            true => line(&serde_json::json!({ "page": page })),
+            true => line(serde_json::json!({ "page": page })),
             false => line(format!(
                 "{page}\nKeep the address private: anyone who has it can use the page. Ctrl+C ends it."
             )),

@@ -21,7 +21,7 @@ impl Reproduce {
         let stage = |stage: &str| output::note(stage);
         let result = reproduce(&self.options, &Control::default(), &stage)?;
         if self.json {
-            line(&output::to_json(&result)?);
+            line(output::to_json(&result)?);
             return Ok(());
         }
         for claim in &result.claims {

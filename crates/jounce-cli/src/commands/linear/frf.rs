@@ -46,7 +46,7 @@ impl Frf {
             output::table(folder, "frf", &result.table()?, &manifest)?;
         }
         match self.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

@@ -31,7 +31,7 @@ impl Noise {
             output::table(folder, "noise", &result.table()?, &manifest)?;
         }
         match self.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

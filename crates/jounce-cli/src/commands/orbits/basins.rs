@@ -45,7 +45,7 @@ impl Basins {
             self.write(folder, &harvester, &result)?;
         }
         match self.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => self.print_result(&result)?,
         }
         interruption::end(&control, || {

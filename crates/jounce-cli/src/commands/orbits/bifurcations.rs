@@ -35,7 +35,7 @@ impl Bifurcations {
             self.write(folder, &harvester, &result)?;
         }
         match self.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => self.print_lines(&result),
         }
         let curves = &result.curves;

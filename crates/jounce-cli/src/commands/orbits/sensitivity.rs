@@ -50,7 +50,7 @@ impl Sensitivity {
             output::figure(folder, "sensitivity", &result.figure())?;
         }
         match self.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

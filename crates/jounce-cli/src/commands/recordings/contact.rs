@@ -30,7 +30,7 @@ impl Contact {
             self.write(folder, &result)?;
         }
         match self.file.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => (0..result.hits.len()).for_each(|hit| print_hit_and_table(&result, hit)),
         }
         Ok(())

@@ -67,7 +67,7 @@ impl Fit {
             write(folder, &result, &manifest.with("to", self.to.display()))?;
         }
         match self.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => print_fit(&result.estimate),
         }
         Ok(())

@@ -19,7 +19,7 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
         output::figure(folder, "frf", &result.figure())?;
     }
     match output.json {
-        true => line(&output::to_json(&result)?),
+        true => line(output::to_json(&result)?),
         false => print_lines(&result),
     }
     Ok(())

@@ -23,7 +23,7 @@ pub fn run(
         write(folder, hammer, options, &result)?;
     }
     match output.json {
-        true => line(&output::to_json(&result)?),
+        true => line(output::to_json(&result)?),
         false => print_lines(&result),
     }
     Ok(())

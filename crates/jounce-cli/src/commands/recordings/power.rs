@@ -42,7 +42,7 @@ impl Power {
             self.write(folder, &result)?;
         }
         match self.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => result.records.iter().for_each(|one| self.print_record(one)),
         }
         Ok(())

@@ -44,7 +44,7 @@ impl Read {
             self.write(folder, &file, &result)?;
         }
         match self.file.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

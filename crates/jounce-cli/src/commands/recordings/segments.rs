@@ -48,7 +48,7 @@ impl Segments {
             self.write(folder, &result)?;
         }
         match self.file.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => print_segments(&result),
         }
         Ok(())

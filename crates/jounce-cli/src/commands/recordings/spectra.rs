@@ -30,7 +30,7 @@ impl Spectra {
             self.write(folder, &result)?;
         }
         match self.file.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

@@ -65,7 +65,7 @@ impl Rerun {
             difference,
         };
         match self.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => result.print(&self.file, &stored.size()),
         }
         match result.equal {

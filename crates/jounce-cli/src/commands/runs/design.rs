@@ -73,7 +73,7 @@ impl Design {
         }
         output::warn(&result.warnings());
         match self.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => line(result.text()),
         }
         if result.outcome.ended_by == SearchEnd::Stopped {

@@ -35,7 +35,7 @@ impl Ensemble {
             self.write(folder, &harvester, &result)?;
         }
         match self.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => print_lines(&result),
         }
         interruption::end(&control, || {

@@ -99,7 +99,7 @@ impl Run {
             }
         }
         match self.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => print_lines(&result),
         }
         Ok(())

@@ -85,7 +85,7 @@ impl Study {
             Action::Merge(existing) => {
                 let path = existing.open()?.merge().map_err(Error::from)?;
                 match existing.json {
-                    true => line(&serde_json::json!({ "table": path })),
+                    true => line(serde_json::json!({ "table": path })),
                     false => line(path.display()),
                 }
                 Ok(())
@@ -126,7 +126,7 @@ impl Page {
         let page = study_page(&study, &name)?;
         write_file(&path, page.as_bytes()).map_err(Error::from)?;
         match self.study.json {
-            true => line(&serde_json::json!({ "page": path })),
+            true => line(serde_json::json!({ "page": path })),
             false => line(path.display()),
         }
         Ok(())
@@ -176,7 +176,7 @@ fn warn_of_transients(folder: &StudyFolder, status: &StudyStatus) {
 
 fn print_status(status: &StudyStatus, json: bool) {
     if json {
-        line(&serde_json::json!(status));
+        line(serde_json::json!(status));
         return;
     }
     line(format!(

@@ -55,7 +55,7 @@ impl Sweep {
             self.write(folder, &harvester, &result)?;
         }
         match self.output.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => print_lines(&result),
         }
         cache::finish(journal)

@@ -22,7 +22,7 @@ impl Check {
         let harvester = match self.spec.harvester() {
             Err(Failure::Faults(path, faults)) if self.json => {
                 let text = fault_lines(&path, &faults);
-                line(&output::to_json(&CheckResult::invalid(faults))?);
+                line(output::to_json(&CheckResult::invalid(faults))?);
                 return Err(Failure::InvalidSpec(text));
             }
             result => result?,
@@ -31,7 +31,7 @@ impl Check {
             .check()
             .map_err(|error| self.spec.failure(error))?;
         match self.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => line(format!("{}: valid", self.spec.spec.display())),
         }
         Ok(())

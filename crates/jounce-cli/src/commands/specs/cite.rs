@@ -23,7 +23,7 @@ impl Cite {
     pub fn run(&self) -> Result<(), Failure> {
         let result = self.spec.harvester()?.cite();
         if self.json {
-            line(&output::to_json(&result)?);
+            line(output::to_json(&result)?);
             return Ok(());
         }
         if self.bibtex {

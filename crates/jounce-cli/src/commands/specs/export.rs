@@ -26,7 +26,7 @@ impl Export {
             .export(&self.options)
             .map_err(|error| self.spec.failure(error))?;
         match self.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => result.files.iter().for_each(|path| line(path.display())),
         }
         Ok(())

@@ -24,7 +24,7 @@ impl Import {
         let result = import_matrices(&self.path, &self.options)?;
         warn(&result.warnings);
         match self.json {
-            true => line(&output::to_json(&result)?),
+            true => line(output::to_json(&result)?),
             false => text(&result.spec),
         }
         Ok(())

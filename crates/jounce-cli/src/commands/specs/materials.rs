@@ -16,9 +16,7 @@ impl Materials {
     /// Lists the materials and the chips of regulators with their sources.
     pub fn run(&self) -> Result<(), Failure> {
         if self.json {
-            line(
-                &serde_json::json!({ "materials": jounce::materials(), "chips": jounce::chips() }),
-            );
+            line(serde_json::json!({ "materials": jounce::materials(), "chips": jounce::chips() }));
             return Ok(());
         }
         print_materials();

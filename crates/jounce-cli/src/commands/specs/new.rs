@@ -42,11 +42,11 @@ impl New {
                 }
                 starter.write(path, self.force).map_err(Error::from)?;
                 match self.json {
-                    true => line(&serde_json::json!({ "kind": starter.kind, "file": path })),
+                    true => line(serde_json::json!({ "kind": starter.kind, "file": path })),
                     false => line(path.display()),
                 }
             }
-            None if self.json => line(&serde_json::json!(starter)),
+            None if self.json => line(serde_json::json!(starter)),
             None => text(starter.spec),
         }
         Ok(())
@@ -56,7 +56,7 @@ impl New {
         if self.json {
             let kind = |starter: &jounce::parts::Starter| serde_json::json!({ "kind": starter.kind, "summary": starter.summary });
             let kinds: Vec<_> = starters().iter().map(kind).collect();
-            line(&serde_json::json!({ "kinds": kinds }));
+            line(serde_json::json!({ "kinds": kinds }));
             return;
         }
         let width = starters()

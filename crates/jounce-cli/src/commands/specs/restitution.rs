@@ -20,7 +20,7 @@ impl Restitution {
     pub fn run(&self) -> Result<(), Failure> {
         let result = restitution(&self.options)?;
         if self.json {
-            line(&to_json(&result)?);
+            line(to_json(&result)?);
             return Ok(());
         }
         let range = |[low, high]: [f64; 2]| format!("{low:.3} to {high:.3}");

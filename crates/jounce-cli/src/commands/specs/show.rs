@@ -35,7 +35,7 @@ impl Show {
         let manifest = origin(record::of_path(&path));
         drawing.write_with(&path, &manifest).map_err(Error::from)?;
         match self.json {
-            true => line(&serde_json::json!({ "drawing": path })),
+            true => line(serde_json::json!({ "drawing": path })),
             false => line(path.display()),
         }
         Ok(())
