@@ -74,7 +74,7 @@ class Evaluations(unittest.TestCase):
         self.assertAlmostEqual(judged([5.0, 1.0], [0.3, 0.7], [1, 1], 0.9, None).violation, 1.0 - 0.3 / 0.9)
 
     def test_strain_is_read_with_either_sign(self) -> None:
-        texts = ["patch mfc: its strain reaches -75 ppm; 0 ppm are recommended", "patch b: its strain reaches 60 ppm; x"]
+        texts = ["patch mfc: its strain reaches -75 ppm; its limit is 0 ppm", "patch b: its strain reaches 60 ppm; x"]
         self.assertEqual((strain_ppm(texts), strain_ppm([])), (75.0, 0.0))
 
 

@@ -22,7 +22,7 @@ def test_exceeded_limits_are_reported(harvester):
     weak = harvester.changed({**SHORT, "drive.shaker.amplitude": "20 N", "patch.mfc.strain_limit": 1e-6})
     for result in (weak.run(), weak.sweep(FREQUENCY, "10 Hz:11 Hz:2x", fixed_duration=True), weak.basins(starts=2)):
         (text,) = result.warnings
-        assert "1 ppm are recommended" in text and text in repr(result)
+        assert "its limit is 1 ppm" in text and text in repr(result)
     assert harvester.changed(SHORT).sweep(FREQUENCY, ["10 Hz"], fixed_duration=True).warnings == []
 
 

@@ -35,6 +35,14 @@ pub enum AnalysisError {
         /// The part: ``drive `NAME` `` or ``regulator `NAME` ``.
         part: String,
     },
+    /// A sweep has a drive with noise.
+    #[error(
+        "drive `{drive}` is noise, and a sweep has one run at each value, which says little of its mean power; `jounce ensemble` integrates many realisations, and a study with `command = \"ensemble\"` does so over a key"
+    )]
+    SweptNoise {
+        /// Name of the drive.
+        drive: String,
+    },
     /// Periodic responses do not depend on this key.
     #[error(
         "{key} is an option of a run, and periodic responses do not depend on it; give a key of the harvester or of its drive, such as drive.NAME.frequency, stop.NAME.gap or circuit.NAME.resistance"

@@ -76,8 +76,8 @@ impl Sweep<'_> {
         let base = Model::watched(self.spec.clone(), control)?;
         let noise = |drive: &Drive| matches!(drive.signal, DriveSignal::Noise { .. });
         if let Some((drive, _)) = self.spec.drive.iter().find(|(_, drive)| noise(drive)) {
-            return Err(AnalysisError::Aperiodic {
-                part: format!("drive `{drive}`"),
+            return Err(AnalysisError::SweptNoise {
+                drive: drive.clone(),
             });
         }
         control.expect(self.len());

@@ -42,7 +42,7 @@ impl fmt::Display for ExceededLimit {
             LimitedQuantity::Strain => {
                 write!(
                     out,
-                    "{}: its strain reaches {:.0} ppm; {:.0} ppm are recommended",
+                    "{}: its strain reaches {:.0} ppm; its limit is {:.0} ppm",
                     named("patch", &self.patch),
                     1e6 * self.reached,
                     1e6 * high
@@ -304,7 +304,7 @@ mod tests {
         let message = same_word.to_string();
         assert!(message.starts_with("patch: its strain"), "{message}");
         assert!(
-            warned[0].to_string().contains("600 ppm are recommended"),
+            warned[0].to_string().contains("its limit is 600 ppm"),
             "{}",
             warned[0]
         );

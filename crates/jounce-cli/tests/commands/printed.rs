@@ -57,7 +57,7 @@ fn a_branch_prints_its_stable_ranges_and_where_they_end() {
         "{text}"
     );
     assert!(
-        text.contains("branches that cross no end of the range"),
+        text.contains("branches on which no run at an end of the range settles"),
         "{text}"
     );
 }

@@ -48,7 +48,7 @@ fn every_integrating_command_warns_about_limits() {
         !exceeds_strain(&points[0]) && exceeds_strain(&points[1]),
         "{sweep}"
     );
-    let message = "600 ppm are recommended; 1 of 2 points exceed the limit, worst at drive.b.amplitude = 196.133000 m/s^2";
+    let message = "its limit is 600 ppm; 1 of 2 points exceed the limit, worst at drive.b.amplitude = 196.133000 m/s^2";
     assert!(
         text.contains("warning: patch m: its strain reaches") && text.contains(message),
         "{text}"
@@ -154,8 +154,15 @@ fn a_recording_shorter_than_the_run_gives_a_warning() {
     let (code, _, text) = jounce(&["branch", &spec, "--over", "mass.m.mass=1kg:2kg"]);
     let advice = "over a key, `jounce sweep`; where a drive is noise, `jounce ensemble`";
     assert!(code == 4 && text.contains(advice), "{code} {text}");
-    let (code, _, text) = jounce(&["sweep", &spec, "--over", "mass.m.mass=1kg:2kg:1kg"]);
+    let sweep = ["sweep", &spec, "--over", "mass.m.mass=1kg:2kg:1kg"];
+    let (code, _, text) = jounce(&sweep);
     assert_eq!(code, 0, "{text}");
+    let noise = "drive.road={kind = \"base-acceleration\", signal = \"noise\", psd = \"1 m^2/s^3\", high = \"60 Hz\"}";
+    let (code, _, text) = jounce(&[&sweep[..], &["--set", noise]].concat());
+    assert!(
+        code == 4 && text.contains("drive `road` is noise") && !text.contains("jounce sweep"),
+        "{code} {text}"
+    );
 }
 
 /// An oscillator that is pressed past the last point of its table, and within one.

@@ -129,7 +129,7 @@ async fn the_drives_of_the_spec_have_the_warnings_of_a_run() {
     let run = harvester.run(&RunOptions::default()).unwrap();
     let expected: Vec<String> = run.warnings.iter().map(ToString::to_string).collect();
     assert!(
-        expected[0].contains("100 ppm are recommended"),
+        expected[0].contains("its limit is 100 ppm"),
         "{expected:?}"
     );
     assert_eq!(response.head["warnings"], json!(expected));

@@ -47,7 +47,7 @@ impl BifurcationsOptions {
     /// Returns the note on the curves that the search may miss.
     pub(super) fn note(&self) -> String {
         let branches = match self.seeds {
-            0 => "that cross no end of the range in which they are searched".to_owned(),
+            0 => "on which no run at an end of their range settles".to_owned(),
             seeds => format!("that none of {seeds} seeds converges to"),
         };
         format!(

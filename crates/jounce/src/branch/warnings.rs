@@ -10,7 +10,7 @@ const MAX_ERROR_ESTIMATE: f64 = 1e-3;
 /// Returns the note on the branches that a search may miss.
 pub(crate) fn search_note(seeds: usize, longest_period: u32) -> String {
     let branches = match seeds {
-        0 => "branches that cross no end of the range".to_owned(),
+        0 => "branches on which no run at an end of the range settles".to_owned(),
         _ => format!("branches that none of {seeds} seeds converges to"),
     };
     format!(

@@ -208,6 +208,9 @@ impl From<&AnalysisError> for ErrorDetails {
             AnalysisError::Aperiodic { part } => {
                 Self::new("OrbitError").with(json!({ "part": part }))
             }
+            AnalysisError::SweptNoise { drive } => {
+                Self::new("ArgumentError").with(json!({ "part": format!("drive `{drive}`") }))
+            }
             AnalysisError::OfRuns { key } => Self::new("ArgumentError").with(json!({ "key": key })),
             AnalysisError::NoFoldDerivative { key } => {
                 Self::new("OrbitError").with(json!({ "key": key }))
