@@ -273,11 +273,19 @@ impl Search<'_> {
         let last = self.eigenvalue(theta[self.count - 1]);
         let mut outcome = Ok(false);
         for margin in COUNT_MARGINS {
-            let below = last - margin * (last - self.shift);
+            let mut below = last - margin * (last - self.shift);
             let found = theta
                 .iter()
                 .filter(|theta| self.eigenvalue(**theta) < below)
                 .count();
+            if found == 0 {
+                // Rigid-body motions: the count is not nearer to them than roundoff of the stiffness.
+                // At the shift there are no eigenvalues below.
+                below = below.min(last + self.problem.first_shift().unwrap_or(0.0));
+                if below <= self.shift {
+                    return Ok(true);
+                }
+            }
             outcome = self
                 .problem
                 .factor(below)

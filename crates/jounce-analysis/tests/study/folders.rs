@@ -162,7 +162,7 @@ fn the_digest_depends_on_the_files_that_the_spec_names() {
         "harvester.toml",
         "[mass.m]\nmass = \"2 kg\"\nstiffness = \"7 kN/m\"\ndamping_ratio = 0.04\n\
          [drive.road]\nkind = \"base-acceleration\"\nsignal = \"recording\"\nfile = \"road.csv\"\n\
-         [run]\nduration = \"1 s\"\nstart = \"state.json\"\n",
+         [run]\nduration = \"1 s\"\naverage_over = \"1 s\"\nstart = \"state.json\"\n",
     );
     write("road.csv", "time (s),a (g)\n0,0\n0.5,1\n1,-2\n");
     write("state.json", "{\"displacement\": [0]}");

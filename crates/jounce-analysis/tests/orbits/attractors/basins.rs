@@ -170,7 +170,7 @@ fn a_grid_starts_at_its_limits() {
 /// Drives without a common period have no cycle, and so no attractor of this kind.
 #[test]
 fn drives_without_a_common_period_have_no_attractor() {
-    let second = "[drive.second]\nkind = \"base-acceleration\"\namplitude = \"1 m/s^2\"\n\
+    let second = "[drive.second]\nat = \"harvester.table\"\nkind = \"force\"\namplitude = \"1 N\"\n\
                   frequency = \"13.731 Hz\"\n";
     let text = format!("{}\n{second}", at(13.0).spec.to_toml());
     let base = Model::new(Spec::from_toml(&text).unwrap()).unwrap();

@@ -99,7 +99,7 @@ fn missing_samples_do_not_change_the_others() {
 #[test]
 fn bursts_that_lie_years_apart_are_refused() {
     for jitter in [0.0, 3e-4] {
-        let at = |k: u32| 1e-3 * f64::from(k) + jitter * f64::from((k * 37 % 11) - 5) / 5.0;
+        let at = |k: u32| 1e-3 * f64::from(k) + jitter * (f64::from(k * 37 % 11) - 5.0) / 5.0;
         let second = (0..1000).map(|k| 1.7e9 + at(k));
         let stamps: Vec<f64> = (0..1000).map(at).chain(second).collect();
         let error = recording(stamps, vec![0.0; 2000]).even().unwrap_err();

@@ -122,23 +122,28 @@ fn memory_beyond_a_tenth_of_the_record_is_reported() {
     );
 }
 
-/// The flag is set for correlated batches and for few independent values, each without the
-/// other.
+/// White noise whose size grows: the flag is set for correlated batches too where the
+/// number of independent values is known and not small.
 #[test]
 fn correlated_batches_are_reported_for_any_memory() {
-    let mut causes = [false; 2];
-    for seed in 0..400 {
-        let zeta = 30.0 / (4000.0 * 2.0 * TAU * 0.05);
-        let values = narrow_band(seed, 4000, zeta);
+    let (mut correlated, count) = (0, 4000);
+    for seed in 0..160 {
+        let growth = 0.2 * (1 + seed % 4) as f64;
+        let mut stream = RandomStream::new(seed, 3);
+        let size = |k: f64| 1.0 + growth * k / f64::from(count);
+        let values: Vec<f64> = (0..count)
+            .map(|k| size(f64::from(k)) * stream.normal_pair()[0])
+            .collect();
         let power = mean_power(&Samples::new(&values, 1.0).unwrap(), 1.0, false).unwrap();
         let limit = SIGNIFICANT_DEVIATIONS / (power.batches as f64).sqrt();
         let is_correlated = power.batch_correlation > limit;
         let is_short = power.effective_samples < MIN_INDEPENDENT_VALUES;
         assert_eq!(power.correlated, is_correlated || is_short, "{power:?}");
-        causes[0] |= is_correlated && !is_short;
-        causes[1] |= is_short && !is_correlated;
+        let is_known = power.effective_samples < MANY_INDEPENDENT_VALUES && !is_short;
+        correlated += u32::from(is_correlated && is_known);
     }
-    assert_eq!(causes, [true, true]);
+    eprintln!("{correlated} of 160 have correlated batches");
+    assert!(correlated > 0);
 }
 
 #[test]
