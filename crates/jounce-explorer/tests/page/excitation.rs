@@ -128,10 +128,7 @@ async fn the_drives_of_the_spec_have_the_warnings_of_a_run() {
     let harvester = harvester.changed([STRAIN_LIMIT.into()]).unwrap();
     let run = harvester.run(&RunOptions::default()).unwrap();
     let expected: Vec<String> = run.warnings.iter().map(ToString::to_string).collect();
-    assert!(
-        expected[0].contains("its limit is 100 ppm"),
-        "{expected:?}"
-    );
+    assert!(expected[0].contains("its limit is 100 ppm"), "{expected:?}");
     assert_eq!(response.head["warnings"], json!(expected));
 }
 
