@@ -23,7 +23,6 @@ def test_ensembles_are_those_of_the_command_line(command_line):
     assert result.patch == [] and result.voltage_psd_v2_hz.shape == (0, 0)
 
 
-
 def test_the_largest_seeds_are_whole_numbers():
     keys = {"run.duration": "0.6 s", "run.average_over": "0.5 s"}
     result = jounce.read(SHAKER).changed(keys).ensemble(members=1, seed=2**63 + 1)
