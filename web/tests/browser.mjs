@@ -114,7 +114,7 @@ export async function open(context, address, script = () => {}) {
 export async function ready(page) {
     await page.waitForFunction(() => {
         const words = (id) => document.getElementById(id).textContent;
-        return /branch/.test(words("status")) && /period/.test(words("orbit-title")) && !document.querySelector("[aria-busy=true]");
+        return /branch/.test(document.getElementById("chart-response").ariaLabel) && /period/.test(words("orbit-title")) && !document.querySelector("[aria-busy=true]");
     });
 }
 

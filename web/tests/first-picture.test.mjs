@@ -108,7 +108,7 @@ const drawn = (page) => page.locator("#chart-response canvas").evaluate((canvas)
 });
 
 /** Waits until the search has ended. */
-const rest = (page) => page.waitForFunction(() => /branch/.test(document.getElementById("status").textContent) && !document.querySelector("[aria-busy=true]"));
+const rest = (page) => page.waitForFunction(() => /branch/.test(document.getElementById("chart-response").ariaLabel) && !document.querySelector("[aria-busy=true]"));
 
 test("gap 5.2 mm: each attractor is named, or the caveat covers its period", async () => {
     const server = await serve();

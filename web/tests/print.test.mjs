@@ -53,7 +53,7 @@ test("a print says what is changed in the design", { skip: missing }, async () =
 });
 
 test("the saved vectors of the response are the picture of its canvas", async () => {
-    await page.waitForFunction(() => !document.querySelector("[aria-busy=true]") && /branch/.test(document.getElementById("status").textContent));
+    await page.waitForFunction(() => !document.querySelector("[aria-busy=true]") && /branch/.test(document.getElementById("chart-response").ariaLabel));
     await page.evaluate(() => (document.getElementById("export-size").value = "1"));
     const [vectors, pixels] = [await exported("#export-vectors"), await exported("#export-picture")];
     const { different, inked, sizes } = await compare(page, png(pixels), svg(vectors));
