@@ -136,11 +136,11 @@ fn records<'py>(
 /// Adds an array of integers, truth values or numbers, or a list of texts.
 fn column<'py>(dict: PythonDict<'py>, name: &str, values: &[&Value]) -> PyResult<PythonDict<'py>> {
     let is_text = |value: &&Value| value.is_string() || value.is_null();
-    if let Some(integers) = values.iter().map(|value| value.as_i64()).collect() {
-        return dict.array::<i64>(name, integers);
-    }
-    if let Some(counts) = values.iter().map(|value| value.as_u64()).collect() {
-        return dict.array::<u64>(name, counts);
+    if values.iter().all(|value| value.is_i64() || value.is_u64()) {
+        return dict.array(
+            name,
+            values.iter().filter_map(|value| value.as_i64()).collect(),
+        );
     }
     if values.iter().all(|value| value.is_boolean()) {
         return dict.array(
@@ -178,13 +178,9 @@ pub fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>
         Value::Null => py.None().into_bound(py),
         Value::Bool(value) => value.into_pyobject(py)?.to_owned().into_any(),
         Value::String(text) => text.into_pyobject(py)?.into_any(),
-        Value::Number(number) => match (number.as_i64(), number.as_u64()) {
+        Value::Number(number) => match (number.as_i64(), number.as_f64()) {
             (Some(integer), _) => integer.into_pyobject(py)?.into_any(),
-            (None, Some(count)) => count.into_pyobject(py)?.into_any(),
-            (None, None) => {
-                let value = number.as_f64().unwrap_or(f64::NAN);
-                value.into_pyobject(py)?.into_any()
-            }
+            (None, value) => value.unwrap_or(f64::NAN).into_pyobject(py)?.into_any(),
         },
         Value::Array(items) => {
             let items: Vec<_> = items
