@@ -77,13 +77,14 @@ impl Bifurcations {
                 curve.period_cycles,
                 counted(curve.points.len(), "point")
             ));
-            let (first, last) = (curve.points.first(), curve.points.last());
-            let ends = match curve.points.len() {
-                0 | 1 => [("at", first), ("", None)],
-                _ => [("from", first), ("to", last)],
-            };
-            for (word, point) in ends {
-                let Some(point) = point else { continue };
+            let last = curve.points.len().saturating_sub(1);
+            for (k, point) in curve.points.iter().enumerate() {
+                let word = match k {
+                    _ if last == 0 => "at",
+                    0 => "from",
+                    _ if k == last => "to",
+                    _ => continue,
+                };
                 let stable = match point.stable {
                     None => "",
                     Some(true) => "  stable",
