@@ -35,7 +35,7 @@ def pytest_collection_modifyitems(config, items):
     if not config.getoption("--all"):
         for item in items:
             if item.get_closest_marker("long"):
-                item.add_marker(pytest.mark.skip(reason="long: runs with ./test --all"))
+                item.add_marker(pytest.mark.skip(reason="long: runs with ./test --long"))
 
 
 def sine(peak, frequency_hz, rate_hz, seconds):

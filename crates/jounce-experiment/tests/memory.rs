@@ -240,7 +240,7 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
 
 /// Measured, MB: see the book's page on recordings.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn memory_does_not_grow_with_the_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let before = status("VmRSS");

@@ -97,7 +97,7 @@ fn simulations_are_made_again() {
 }
 
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn orbits_are_made_again() {
     let folder = folder();
     let lines = [
@@ -113,7 +113,7 @@ fn orbits_are_made_again() {
 }
 
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn fits_and_recordings_are_made_again() {
     let folder = folder();
     let features = Path::new(EXAMPLES).join("impact-harvester-2019/measured.toml");
@@ -155,7 +155,7 @@ fn recordings_that_change_are_named(folder: &Path) {
 }
 
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn designs_and_tests_of_a_rig_are_made_again() {
     let folder = folder();
     let design = "spec = \"a.toml\"\nevaluations = 6\n[free]\n\"stop.tip.gap\" = \"0.5mm:2mm\"\n[goal]\nmaximise = \"mean-power\"\n";

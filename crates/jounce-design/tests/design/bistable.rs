@@ -66,7 +66,7 @@ fn the_best_orbit_has_more_power_than_the_published_optimum() {
 /// Over the same starts, the published optimum has less expected power. The search of the source with
 /// the most samples takes 2800 evaluations.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn the_best_expected_power_is_above_that_of_the_published_optimum() {
     let found = two_variables("expected-power", 280);
     let [power, published] = [found.best.expected_power_w, found.before.expected_power_w];

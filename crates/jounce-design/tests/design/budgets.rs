@@ -45,7 +45,7 @@ fn a_search_along_orbits_begins_as_one_of_a_smaller_budget() {
 
 /// Half of its starts reach another attractor or chaos, so that an evolution goes with the refinements.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn a_search_with_several_attractors_begins_as_one_of_a_smaller_budget() {
     let (spec, free) = two_variables_spec();
     for goal in ["expected-power", "stable-power"] {

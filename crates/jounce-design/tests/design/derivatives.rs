@@ -235,7 +235,7 @@ fn folds(changed: Option<(&str, f64)>) -> (Model, Vec<(f64, Orbit)>) {
 const FREQUENCY: &str = "drive.shaker.frequency";
 
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn derivatives_of_folds_are_those_of_followed_folds() {
     let (base, all) = folds(None);
     let paths = ["stop.tip.gap", "stop.tip.stiffness", "beam.beam.length"];

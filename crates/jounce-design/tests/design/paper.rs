@@ -135,7 +135,7 @@ fn power_within_a_strain_is_bounded_by_a_closed_form() {
 /// Three searches for the best gap, stiffness and load within 600 ppm, each with its own starts: all
 /// lead to the same power, which at least 90 % of the starts reach. Ten seeds do so too.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn three_seeds_lead_to_the_same_power() {
     let search = |seed: u64| {
         let text = format!(
@@ -163,7 +163,7 @@ fn three_seeds_lead_to_the_same_power() {
 /// that of the best one: here the laminate with a Hertz stop has 1.96 mW, and a Hunt-Crossley stop,
 /// to which more starts lead, 1.09 mW.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn a_search_over_choices_converges_with_all_of_them() {
     let text = "seed = 3\nevaluations = 1000\n[free]\n\"patch.mfc.section\" = [\"thin-skin\", \"laminate\"]\n\
         \"stop.tip.gap\" = \"0.2mm:3mm\"\n\"stop.tip\" = [{ law = \"hertz\", stiffness = \"100:1e5:log N/m^1.5\" }, \

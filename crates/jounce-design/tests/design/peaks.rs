@@ -164,7 +164,7 @@ fn the_peak_of_one_mode_and_its_derivatives_are_those_of_the_closed_form() {
 }
 
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn derivatives_of_a_peak_with_contact_are_those_of_peaks_at_changed_keys() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../examples/impact-harvester-2019/harvester.toml");

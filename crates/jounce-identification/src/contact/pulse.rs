@@ -237,7 +237,7 @@ mod tests {
     /// With noise the truth lies within 1.96 deviations at the nominal rate: 95 +- 4 % of 150
     /// trials; measured 96 %.
     #[test]
-    #[ignore = "long: runs with ./test --all"]
+    #[ignore = "long: runs with ./test --long"]
     fn stated_deviations_hold_the_truth() {
         let covered_count = (0..150).filter(|seed| {
             let result = fitted(&record(1.5, 0.4, 2.0, *seed).0);
@@ -250,7 +250,7 @@ mod tests {
     /// Coverage of stiffness, exponent and restitution, and of the stiffness under the true law: 95
     /// +- 4 % of 150 trials each.
     #[test]
-    #[ignore = "long: runs with ./test --all"]
+    #[ignore = "long: runs with ./test --long"]
     fn intervals_hold_the_truth() {
         let (mut covered, mut law_covered, mut allowed) = ([0.0; 3], 0.0, 0.0);
         for seed in 0..150 {

@@ -60,7 +60,7 @@ fn uniform_cantilever_has_its_closed_form() {
 /// Roundoff does not grow with the mesh: cubic elements approach the exact frequencies from above,
 /// as `h^4`, and never from below.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn low_frequencies_hold_on_any_cubic_mesh() {
     let spec = paper(Section::ThinSkin);
     let mut before: Option<Vec<f64>> = None;

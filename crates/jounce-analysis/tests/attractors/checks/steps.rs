@@ -106,7 +106,7 @@ fn between<const N: usize, const D: usize>(
 /// The end of a cycle equals that of a cycle with a start perturbed by at most 1e-9 of the size of
 /// the motion.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn steps_of_a_tenth_of_the_error_change_a_cycle_by_less_than_1e_9() {
     let mut all: Vec<(f64, u64)> = (0..40)
         .map(|index| (with_model!(plant(index), refined), index))
@@ -118,7 +118,7 @@ fn steps_of_a_tenth_of_the_error_change_a_cycle_by_less_than_1e_9() {
 
 /// Two methods without a common formula, from event to event.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn steps_by_series_equal_those_of_dormand_and_prince() {
     let mut all: Vec<(f64, u64)> = (0..60)
         .map(|index| (with_model!(plant(index), methods), index))

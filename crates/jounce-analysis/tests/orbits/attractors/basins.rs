@@ -104,7 +104,7 @@ fn any_number_of_threads_gives_the_same_bits() {
 /// nor classified as chaos. The torus at 12.3 Hz is one such case: its motion fills a closed curve,
 /// and neighbours neither separate nor converge.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn slow_transients_are_recognised_at_every_frequency() {
     for (value, seed) in [
         (5.0, 1),

@@ -136,7 +136,7 @@ fn attractors_keep_their_ids() {
 /// The orbit of period 3 is one track, from fold to fold, over steps too coarse for an integration
 /// from value to value.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn attractors_keep_their_ids_over_coarse_steps() {
     // Folds of the continued branch of period 3.
     let lives = 13.219458..14.186757;

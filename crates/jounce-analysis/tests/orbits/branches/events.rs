@@ -118,7 +118,7 @@ fn finds_the_pair_of_tori(file: &SpecFile, pair: [f64; 2]) {
 
 /// Against an independent Runge-Kutta integration with separate shooting: 10.47358 and 10.52108 Hz.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn a_pair_of_tori_inside_one_step_is_found() {
     let changes = [
         ("drive.shaker.amplitude", "\"80 N\""),
@@ -130,7 +130,7 @@ fn a_pair_of_tori_inside_one_step_is_found() {
 
 /// Against the same independent integration: 10.46710 and 10.52154 Hz.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn a_pair_of_tori_does_not_depend_on_the_tolerance() {
     let changes = [
         ("drive.shaker.amplitude", "\"100 N\""),
@@ -206,7 +206,7 @@ fn a_level_of_power_is_labelled_where_the_branch_passes_it() {
 /// Random points along branches of four harvesters: the multipliers agree with an integration from
 /// a perturbation of 1e-6, over 300 cycles or more where these do not decide.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn stability_agrees_with_integrations_after_a_perturbation() {
     let specs = [
         spec_with(&[]),

@@ -153,7 +153,7 @@ fn check_the_curve_of_three_cycles(search: &BranchSearch, name: &str) {
 /// Continuation would then reverse and return to its start in the wrong direction. By both methods
 /// and at every tolerance the labels are equal, and the curve is stable from fold to fold.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn no_step_lands_beyond_a_fold() {
     let (file, range) = (bench(), (4.0, 20.0));
     let base = Model::new(file.spec().unwrap()).unwrap();

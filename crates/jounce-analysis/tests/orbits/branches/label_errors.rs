@@ -37,7 +37,7 @@ fn labels_lie_within_their_stated_errors() {
 /// A contact of a stop of 1.6e9 N/m^2 divides. Integrations at some tolerances do not separate it
 /// before the separation is so deep that the key is 7e-5 Hz further.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn the_error_covers_a_contact_that_divides_late() {
     let case = Case::random(5).over((1.18, 1.19));
     let label = |tolerance: f64| match &case.labels(tolerance)[..] {

@@ -68,7 +68,7 @@ fn a_branch_that_leaves_the_range_below_a_fold_ends_on_the_edge() {
 /// Near 5.797 Hz a contact whose force begins with a jump starts with the period. There the
 /// shooting state has a kink and the harmonics of the displacement do not.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn a_branch_continues_where_a_contact_begins_with_the_period() {
     let damped = include_str!("../../../../../bench/plant.toml")
         .replace(

@@ -17,7 +17,7 @@ fn number(name: &str) -> Option<u64> {
 }
 
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn labels_of_the_cases_of_these_tests_are_the_same_for_all_settings() {
     let cases: [&[(&str, &str)]; 12] = [
         &[],
@@ -71,7 +71,7 @@ fn labels_of_the_cases_of_these_tests_are_the_same_for_all_settings() {
 const QUICK: [u64; 6] = [1, 10, 12, 14, 17, 19];
 
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn labels_of_random_harvesters_are_the_same_for_all_settings() {
     let requested = number("JOUNCE_DRAWN_SYSTEMS").map(|count| {
         let first = number("JOUNCE_DRAWN_FIRST").unwrap_or(0);
@@ -91,7 +91,7 @@ fn labels_of_random_harvesters_are_the_same_for_all_settings() {
 /// Between 2.2222 and 2.2241 Hz the branch turns five times. At a tolerance of 1e-9 a step leads past
 /// these turns, and Newton's method finds no orbit half-way; a shorter step decides.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn turns_between_the_ends_of_a_step_are_followed() {
     let case = Case::random(31);
     let [coarse, fine] = [1e-9, 1e-10].map(|tolerance| {

@@ -154,7 +154,7 @@ fn compared(index: u64) -> Vec<(f64, String)> {
 }
 
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn derivatives_of_random_harvesters_are_differences_of_orbits() {
     let all: Vec<(f64, String)> = (0..40_u64)
         .into_par_iter()

@@ -73,7 +73,7 @@ fn a_level_of_power_without_contact_is_that_of_the_steady_power() {
 /// With contact the curves of a force pass through the labels of branches at the two outer
 /// amplitudes.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn a_level_of_contact_force_passes_the_labels_along_one_key() {
     let (level, range) = ("contact_force.tip=0.3 N", (11.0, 14.5));
     let level_curves = curves(&bench(), level, [range, (48.0, 52.0)]);

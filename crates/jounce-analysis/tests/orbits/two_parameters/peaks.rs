@@ -169,7 +169,7 @@ fn the_peak_of_the_impact_branch_is_the_one_along_the_branch() {
 /// loads. Measured: 0.03 % off with loads 2 % to both sides, whose third-order error is of that
 /// size; the power equal to 1e-9.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn the_optimal_load_with_contact_is_the_best_of_the_neighbouring_branches() {
     let peaks_found = peaks(
         &bench(),
@@ -256,7 +256,7 @@ fn vertex(fold: &BifurcationCurve) -> (f64, f64) {
 /// there, in few points. The vertex of the fold curve is that of a parabola through the points
 /// around it.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn the_peak_of_an_isolated_branch_ends_where_its_folds_meet() {
     let peaks_found = curves(
         &bench(),

@@ -69,7 +69,7 @@ fn the_order_of_the_keys_has_no_effect() {
 /// angle. Continuation may miss the turn and return over its points. No curve ends on its start,
 /// and that one is listed once and complete.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn no_curve_comes_back_over_its_own_points() {
     let keys = [
         ("drive.shaker.frequency", (12.5, 14.0)),

@@ -229,7 +229,7 @@ fn modes_are_those_of_an_independent_package() {
 /// The band up to 12.8 kHz has more modes than order 40 can represent: the missing ones are found
 /// at their peaks.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn modes_are_found_in_the_full_band() {
     let Some(records) = records() else { return };
     let chosen = ChannelChoice {

@@ -68,7 +68,7 @@ fn largest_differences(identification: &Identification, expected: &Identificatio
 /// the modes those of the computed functions. Measured: frequencies 7e-16, damping ratios 2e-14
 /// apart (UFF has 13 digits), 2e-16 from Parquet and CSV.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn references_of_a_file_of_response_functions_are_used() {
     let (sensors, forces) = (&[0, 1, 2, 3, 4, 5][..], &[0, 3][..]);
     let computed = responses(&CLOSE, sensors, forces, 0.005);

@@ -154,7 +154,7 @@ fn check_all(count: u64, allowed: RangeInclusive<f64>) {
 /// A fraction of 80 numbers has a standard deviation of 2.4 %: too few to find intervals that are
 /// too wide.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn intervals_hold_the_truth_without_noise_information() {
     check_all(FIRST, 0.88..=1.0);
 }

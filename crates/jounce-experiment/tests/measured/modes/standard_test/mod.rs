@@ -116,7 +116,7 @@ static FIRST_TRIALS: LazyLock<Vec<Inside>> = LazyLock::new(|| trials(0..FIRST));
 
 /// Of 16 trials three misses are as rare as one in a hundred.
 #[test]
-#[ignore = "long: runs with ./test --all"]
+#[ignore = "long: runs with ./test --long"]
 fn intervals_of_the_standard_test_have_their_coverage() {
     check_coverage(FIRST, 0.8..=1.0);
 }
