@@ -158,7 +158,7 @@ impl<'f, F: Problem> Continuation<'f, F> {
     fn advance(&mut self) -> Result<CurvePoint<F::Evaluation>, ContinuationError<F::Error>> {
         let metric = Metric::at(&self.position, self.parameter_scale);
         let direction = metric.unit(self.tangent.clone());
-        let (mut last, mut refused) = ((f64::NAN, ResidualReport::default()), None);
+        let (mut last, mut refused) = ((None, ResidualReport::default()), None);
         let mut turns = RefusedTurns::default();
         while self.length > self.control.shortest {
             let guess = match &self.behind {
@@ -182,7 +182,7 @@ impl<'f, F: Problem> Continuation<'f, F> {
                             .control
                             .strayed(correction, self.length, corrected.evaluations)
                     {
-                        last = (corrected.error, ResidualReport::default());
+                        last = (Some(corrected.error), ResidualReport::default());
                     } else if let Some(step) = self.take(corrected, &direction, &mut turns) {
                         return Ok(step);
                     }
@@ -191,7 +191,7 @@ impl<'f, F: Problem> Continuation<'f, F> {
                     error,
                     left: residuals,
                     ..
-                }) => last = (error, residuals),
+                }) => last = (Some(error), residuals),
                 // The problem may have no meaning at a long step although the curve continues; try
                 // a shorter one.
                 Err(ContinuationError::Family(error)) => refused = Some(error),

@@ -10,7 +10,7 @@ pub enum ContinuationError<E> {
     Family(E),
     /// Newton did not converge.
     #[error(
-        "Newton did not converge at parameter {parameter}: last correction {error:e}, wanted {goal:e}{left}; start nearer to the solution or loosen the tolerance"
+        "Newton's method did not converge at the value {parameter} of the key: the last correction is {error:.1e}, the goal {goal:.1e}{left}; start nearer to the solution or use a larger tolerance"
     )]
     Diverged {
         /// Parameter there.
@@ -23,23 +23,32 @@ pub enum ContinuationError<E> {
         left: ResidualReport,
     },
     /// The derivative is singular in more than one direction.
-    #[error("the derivative is singular at parameter {parameter}; start at another value")]
+    #[error(
+        "the derivative is singular at the value {parameter} of the key; start at another value"
+    )]
     Singular {
         /// Parameter there.
         parameter: f64,
     },
     /// No step is short enough.
     #[error(
-        "the curve cannot be followed beyond parameter {parameter}: even a step of {step:e} fails (last correction {error:e}){left}; a tighter tolerance may help"
+        "the curve cannot be followed beyond the value {parameter} of the key: even a step of {step:.1e} of the solution fails{}{left}; a smaller tolerance may help",
+        last_correction(.error)
     )]
     Stuck {
         /// Parameter of the last point.
         parameter: f64,
         /// Shortest step tried, in the metric.
         step: f64,
-        /// Last correction.
-        error: f64,
+        /// Last correction; `None` if none was computed.
+        error: Option<f64>,
         /// Parts of the residual at the last attempt.
         left: ResidualReport,
     },
+}
+
+fn last_correction(error: &Option<f64>) -> String {
+    error.map_or_else(String::new, |error| {
+        format!(", with a last correction of {error:.1e}")
+    })
 }

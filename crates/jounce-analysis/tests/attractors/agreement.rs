@@ -3,7 +3,7 @@
 use crate::brute::{Ending, Kind};
 use crate::endings::{Effort, endings};
 use crate::library::{Account, AccountKind, accounts, empty_interval};
-use jounce_analysis::{Cloud, InitialStates, Model};
+use jounce_analysis::{InitialStates, Model, wilson};
 use jounce_model::plant::Plant;
 use jounce_spec::SpecFile;
 use std::fmt::{self, Display};
@@ -19,8 +19,8 @@ const CLOSE: f64 = 1e-7;
 /// Largest distance between states of one attractor, relative to the size of the motion.
 const STATES: f64 = 1e-4;
 
-/// One start in this many; their intervals are compared with the shares of all other starts.
-const HELD_BACK: usize = 8;
+/// Number of blocks of starts; the intervals of each are compared with the shares of all other starts.
+const BLOCKS: usize = 8;
 
 /// Errors per step, relative to that of the comparison, for repeated integrations of starts with
 /// different results.
@@ -51,8 +51,8 @@ pub struct Agreement {
     /// Number of intervals checked, and of those that contain the brute-force share, for the same
     /// starts.
     pub same_starts: [usize; 2],
-    /// Same counts, for intervals of some starts and shares of the others: 93.6 % must contain
-    /// them, since the shares scatter too.
+    /// Same counts, for intervals of each block of starts and shares of the others, where a start may
+    /// end on another attractor: 93.6 % must contain them, since the shares scatter too.
     pub other_starts: [usize; 2],
     /// Wall time of the library and of brute force, s.
     pub seconds: [f64; 2],
@@ -151,7 +151,7 @@ pub fn compare(file: &SpecFile, starts: InitialStates, effort: &Effort) -> Agree
     let endings = endings(&plant.system, &physical, effort);
     let brute_s = begin.elapsed().as_secs_f64();
     let begin = Instant::now();
-    let results = accounts(file, (&key.0, key.1), starts.clone());
+    let results = accounts(file, (&key.0, key.1), starts);
     let library_s = begin.elapsed().as_secs_f64();
     let of = |index: usize| {
         results
@@ -177,8 +177,8 @@ pub fn compare(file: &SpecFile, starts: InitialStates, effort: &Effort) -> Agree
     };
     let verdicts = endings.iter().enumerate().map(decide).collect();
     Agreement {
-        same_starts: coverage(&endings, &results, starts.len()),
-        other_starts: coverage_of_other_starts(file, (&key.0, key.1), starts, &endings),
+        same_starts: coverage(&endings, &results),
+        other_starts: coverage_of_other_starts(&endings, &results),
         endings,
         accounts: results,
         verdicts,
@@ -186,34 +186,32 @@ pub fn compare(file: &SpecFile, starts: InitialStates, effort: &Effort) -> Agree
     }
 }
 
-/// Coverage of the shares of later starts by the intervals of the first ones. The starts of a cloud
-/// are drawn one by one, so its first ones also form a cloud.
-fn coverage_of_other_starts(
-    file: &SpecFile,
-    key: (&str, f64),
-    starts: InitialStates,
-    endings: &[Ending],
-) -> [usize; 2] {
-    match starts {
-        InitialStates::Cloud(cloud) => {
-            let part = cloud.starts / HELD_BACK;
-            let held_back = accounts(
-                file,
-                key,
-                InitialStates::Cloud(Cloud {
-                    starts: part,
-                    ..cloud
-                }),
-            );
-            coverage(&endings[part..], &held_back, part)
+/// Coverage of brute-force shares by the library's intervals for blocks of the starts. The starts of a
+/// cloud are drawn one by one, so each block also forms a cloud.
+fn coverage_of_other_starts(endings: &[Ending], accounts: &[Account]) -> [usize; 2] {
+    let (all, block) = (endings.len(), endings.len() / BLOCKS);
+    let groups = groups(endings);
+    let (mut checked, mut inside) = (0, 0);
+    for group in groups.iter().filter(|group| group.len() < all) {
+        let ending = &endings[group[0]];
+        let reached = accounts
+            .iter()
+            .find(|account| verdict(ending, Some(account)) == Verdict::Same);
+        for first in (0..BLOCKS).map(|k| k * block) {
+            let is_here = |start: &&usize| (first..first + block).contains(*start);
+            let hits = reached.map_or(0, |account| account.starts.iter().filter(is_here).count());
+            let others = group.iter().filter(|start| !is_here(start)).count();
+            let share = others as f64 / (all - block) as f64;
+            let interval = wilson(hits, block);
+            checked += 1;
+            inside += usize::from((interval.low..=interval.high).contains(&share));
         }
-        InitialStates::Grid(_) => [0, 0],
     }
+    [checked, inside]
 }
 
-/// Number of attractors by brute force, and of those whose share lies in the library's interval for
-/// `of` starts.
-fn coverage(endings: &[Ending], accounts: &[Account], of: usize) -> [usize; 2] {
+/// Number of attractors by brute force, and of those whose share lies in the library's interval.
+fn coverage(endings: &[Ending], accounts: &[Account]) -> [usize; 2] {
     let groups = groups(endings);
     let holds = |group: &&Vec<usize>| {
         let ending = &endings[group[0]];
@@ -221,7 +219,7 @@ fn coverage(endings: &[Ending], accounts: &[Account], of: usize) -> [usize; 2] {
             .iter()
             .find(|account| verdict(ending, Some(account)) == Verdict::Same);
         let [low, high] = reached.map_or_else(
-            || empty_interval(of),
+            || empty_interval(endings.len()),
             |account| [account.share.low, account.share.high],
         );
         (low..=high).contains(&(group.len() as f64 / endings.len() as f64))

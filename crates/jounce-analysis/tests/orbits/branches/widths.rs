@@ -3,8 +3,8 @@
 
 use crate::harvesters::bench;
 use jounce_analysis::{
-    BandLimit, BandwidthSearch, Bandwidths, BranchSearch, Model, OrbitMethodKind, Parameter,
-    settled_orbit,
+    BandLimit, BandwidthSearch, Bandwidths, BranchKind, BranchSearch, Model, OrbitMethodKind,
+    Parameter, settled_orbit,
 };
 use jounce_model::linear::steady_power_w;
 use jounce_spec::SpecFile;
@@ -94,6 +94,53 @@ fn the_bandwidth_of_one_mode_is_that_of_the_closed_form() {
     }
     assert!((width.width - 2.0 * zeta * own_hz).abs() < 1e-7);
     assert_eq!(widths_found.together.as_ref(), Some(width));
+}
+
+/// The branch of two cycles ends at the two doublings of its parent, which the bandwidth does not locate.
+#[test]
+fn the_error_of_an_end_at_a_doubling_covers_the_doubling() {
+    let (file, range, tolerance) = (bench(), (4.0, 5.2), 1e-9);
+    let base = Model::new(file.spec().unwrap()).unwrap();
+    let key = file.numeric_key("drive.shaker.frequency").unwrap();
+    let parameter = Parameter::new(&base, &key, range.1 - range.0);
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        method: OrbitMethodKind::Shooting,
+        tolerance,
+        seeds: 0,
+        longest_period: 2,
+    };
+    let branches = search.run().unwrap();
+    let doublings: Vec<f64> = (branches.iter().flat_map(|branch| &branch.bifurcations))
+        .filter(|label| label.kind == BranchKind::PeriodDoubling)
+        .map(|label| label.at.parameter)
+        .collect();
+    let widths = BandwidthSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        tolerance,
+    }
+    .run(&branches);
+    let doubled = branches.iter().position(|branch| branch.period_cycles == 2);
+    let intervals = &widths.branches[doubled.unwrap()]
+        .as_ref()
+        .unwrap()
+        .intervals;
+    let ends: Vec<_> = (intervals
+        .iter()
+        .flat_map(|interval| [interval.from, interval.to]))
+    .filter(|edge| edge.at == BandLimit::End)
+    .collect();
+    assert!(!ends.is_empty(), "{intervals:?}");
+    for end in ends {
+        let off = |doubling: &f64| (end.parameter - doubling).abs();
+        let nearest = doublings.iter().map(off).fold(f64::INFINITY, f64::min);
+        eprintln!("{nearest:.1e} Hz off, stated {:.1e}", end.parameter_error);
+        assert!(nearest <= end.parameter_error, "{end:?} {doublings:?}");
+    }
 }
 
 /// A range that ends on the flank of the peak truncates the interval there, and the result states
