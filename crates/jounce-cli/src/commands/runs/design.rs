@@ -59,7 +59,7 @@ impl Design {
         let journal = journal.map_err(failure)?;
         if !journal.found().is_empty() {
             output::note(format!(
-                "continuing with {} evaluations of an earlier search",
+                "continuing after {} finished evaluations",
                 journal.found().len()
             ));
         }
