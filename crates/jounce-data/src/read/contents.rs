@@ -244,3 +244,21 @@ fn format_of(path: &Path) -> Result<(&'static str, Reader), ReadError> {
         () => Ok(("text", text::read)),
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::EXTENSIONS;
+
+    /// A browser offers only the files that `accept` lists.
+    #[test]
+    fn the_live_page_offers_the_files_of_every_format() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../jounce-explorer/page");
+        let page = std::fs::read_to_string(format!("{folder}/index.html")).unwrap();
+        let (_, input) = page.split_once("id=\"shake-file\" accept=\"").unwrap();
+        let (accepted, _) = input.split_once('"').unwrap();
+        let expected = ["csv", "txt"].iter().chain(&EXTENSIONS);
+        let expected: Vec<String> = expected.map(|name| format!(".{name}")).collect();
+        assert_eq!(accepted.split(',').collect::<Vec<_>>(), expected);
+    }
+}
