@@ -3,7 +3,7 @@
 pub use crate::basins::{AttractorResult, FailedStart, StartPoint};
 pub use crate::bifurcations::BifurcationCurve;
 pub use crate::branch::{
-    Bifurcation, Branch, BranchPoint, HalfPowerBandwidth, NotProved, OrbitMethod, OrbitQuantity,
+    Bifurcation, Branch, BranchPoint, BranchQuantity, HalfPowerBandwidth, NotProved, OrbitMethod,
     Termination, TerminationReason, band_limit_text,
 };
 pub use crate::check::DriveIssue;

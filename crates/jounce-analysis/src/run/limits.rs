@@ -15,7 +15,7 @@ use std::fmt;
 /// Quantity of a patch that has limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum LimitedQuantity {
+pub enum PatchQuantity {
     /// Strain along the beam or the fibres, or larger principal strain on a plate, dimensionless.
     Strain,
     /// Voltage, V.
@@ -28,7 +28,7 @@ pub struct ExceededLimit {
     /// Name of the patch.
     pub patch: String,
     /// Quantity that exceeds its limits.
-    pub quantity: LimitedQuantity,
+    pub quantity: PatchQuantity,
     /// Value with the largest excess, or nearest to the limits.
     pub reached: f64,
     /// Lowest and highest allowed value.
@@ -39,7 +39,7 @@ impl fmt::Display for ExceededLimit {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [low, high] = self.limits;
         match self.quantity {
-            LimitedQuantity::Strain => {
+            PatchQuantity::Strain => {
                 write!(
                     out,
                     "{}: its strain reaches {:.0} ppm; its limit is {:.0} ppm",
@@ -48,7 +48,7 @@ impl fmt::Display for ExceededLimit {
                     1e6 * high
                 )
             }
-            LimitedQuantity::Voltage => {
+            PatchQuantity::Voltage => {
                 write!(
                     out,
                     "{}: its voltage reaches {:.3} V; it bears {low} V to {high} V",
@@ -179,7 +179,7 @@ impl Limits {
         trajectory: &Trajectory,
         length_s: f64,
     ) -> Vec<ExceededLimit> {
-        let limited: Vec<(&PatchLimits, LimitedQuantity, [f64; 2])> =
+        let limited: Vec<(&PatchLimits, PatchQuantity, [f64; 2])> =
             self.patches.iter().flat_map(PatchLimits::each).collect();
         let window = RecordWindow::of(&kernel.plant, trajectory, length_s);
         let Some(window) = window.filter(|_| !limited.is_empty()) else {
@@ -229,20 +229,20 @@ impl PatchLimits {
     }
 
     /// Returns each limited quantity with its lowest and highest allowed value.
-    fn each(&self) -> impl Iterator<Item = (&Self, LimitedQuantity, [f64; 2])> {
+    fn each(&self) -> impl Iterator<Item = (&Self, PatchQuantity, [f64; 2])> {
         let strain = self.strain.map(|limit| [-limit, limit]);
-        let strain = strain.map(|limits| (self, LimitedQuantity::Strain, limits));
+        let strain = strain.map(|limits| (self, PatchQuantity::Strain, limits));
         let voltage = self.voltages_v;
-        let voltage = voltage.map(|limits| (self, LimitedQuantity::Voltage, limits));
+        let voltage = voltage.map(|limits| (self, PatchQuantity::Voltage, limits));
         strain.into_iter().chain(voltage)
     }
 
-    fn sources(&self, plant: &Plant, quantity: LimitedQuantity) -> Vec<OutputSource> {
+    fn sources(&self, plant: &Plant, quantity: PatchQuantity) -> Vec<OutputSource> {
         match quantity {
-            LimitedQuantity::Strain => (0..plant.system.modes.patch[&self.name].strain.len())
+            PatchQuantity::Strain => (0..plant.system.modes.patch[&self.name].strain.len())
                 .map(|place| OutputSource::Strain(self.index, place))
                 .collect(),
-            LimitedQuantity::Voltage => vec![OutputSource::Patch(self.index)],
+            PatchQuantity::Voltage => vec![OutputSource::Patch(self.index)],
         }
     }
 }
@@ -287,7 +287,7 @@ mod tests {
         let strain = 6.0 * 0.1 / section.bending_stiffness_n_m2 * (1.3e-3 - section.neutral_axis_m);
         assert_eq!(
             (warned.len(), warned[0].quantity),
-            (1, LimitedQuantity::Strain)
+            (1, PatchQuantity::Strain)
         );
         // Twelve modes give the curvature at the root to 5 %.
         assert!(

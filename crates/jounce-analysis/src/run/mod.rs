@@ -23,7 +23,7 @@ pub use charge::{ChargeResult, charges};
 pub use device::{DeviceResult, WorstOperation};
 pub use error::RunError;
 pub(crate) use error::check_outside;
-pub use limits::{ExceededLimit, LimitedQuantity, Limits, WorstExcess};
+pub use limits::{ExceededLimit, Limits, PatchQuantity, WorstExcess};
 pub use output_peak::{OutputPeaks, output_peaks};
 pub use plan::RunPlan;
 pub use result::{LeakResult, LoadResult, RectifiedResult, RunResult, StopResult};

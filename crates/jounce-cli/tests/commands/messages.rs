@@ -2,7 +2,7 @@
 //! do.
 
 use crate::{SPEC, jounce};
-use jounce::parts::{Branch, BranchKind, NotProved, OrbitQuantity};
+use jounce::parts::{Branch, BranchKind, BranchQuantity, NotProved};
 use jounce::{BranchOptions, BranchResult};
 
 const GAP_OVER: &str = "stop.tip.gap=1mm:2mm:3";
@@ -310,7 +310,7 @@ fn events_without_proof_are_a_sentence() {
         peak: None,
         half_power_bandwidth: None,
         note: String::new(),
-        quantity: OrbitQuantity::MeanPower,
+        quantity: BranchQuantity::MeanPower,
         options: BranchOptions::default(),
     };
     assert_eq!(

@@ -15,6 +15,7 @@ mod block;
 mod commands;
 mod links;
 mod paper;
+mod paths;
 mod pictures;
 mod specs;
 
@@ -57,10 +58,10 @@ fn files(folder: &str, extension: &str) -> Vec<String> {
     files
 }
 
-/// README and every page of the book, by paths from the root.
+/// README, ARCHITECTURE and every page of the book, by paths from the root.
 fn documents() -> Vec<String> {
     let mut documents = files("book/src", "md");
-    documents.push("README.md".to_owned());
+    documents.extend(["ARCHITECTURE.md".to_owned(), "README.md".to_owned()]);
     documents.sort();
     documents
 }
@@ -128,10 +129,15 @@ fn every_link_leads_somewhere_and_every_picture_has_alternative_text() {
     assert_none(faults.collect());
 }
 
-/// A comment that names a test names its path from the root.
+/// A comment that names a test, and a page for contributors, name paths from the root.
 #[test]
-fn every_test_named_in_a_comment_exists() {
+fn every_test_named_in_a_comment_and_every_path_for_contributors_exists() {
     let mut faults = Vec::new();
+    for page in paths::PAGES {
+        let text = std::fs::read_to_string(root().join(page)).expect("documents are UTF-8");
+        let found = paths::faults(&text);
+        faults.extend(found.into_iter().map(|fault| format!("{page}: {fault}")));
+    }
     for file in files("crates", "rs") {
         let text = std::fs::read_to_string(root().join(&file)).expect("sources are UTF-8");
         let comments = text

@@ -244,3 +244,27 @@ fn format_of(path: &Path) -> Result<(&'static str, Reader), ReadError> {
         () => Ok(("text", text::read)),
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::EXTENSIONS;
+    use std::collections::BTreeSet;
+
+    /// A browser offers only the files that `accept` lists.
+    #[test]
+    fn the_live_page_offers_the_files_of_every_format() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../jounce-explorer/page");
+        let page = std::fs::read_to_string(format!("{folder}/index.html")).unwrap();
+        let (_, input) = page.split_once("id=\"shake-file\" accept=\"").unwrap();
+        let (accepted, _) = input.split_once('"').unwrap();
+        let accepted: BTreeSet<&str> = accepted.split(',').collect();
+        let text = ["csv", "txt"];
+        let expected: Vec<String> = text
+            .iter()
+            .chain(&EXTENSIONS)
+            .map(|one| format!(".{one}"))
+            .collect();
+        assert_eq!(accepted, expected.iter().map(String::as_str).collect());
+    }
+}

@@ -92,7 +92,7 @@ const NETCDF: &str = "NetCDF 3: convert it in Python: import xarray; xarray.open
 const PICKLE: &str = "a pickle of Python: save the arrays in it with numpy.savez";
 
 /// File extensions in lower case, with the usual kind of file.
-const EXTENSIONS: [(&str, &str); 14] = [
+const REFUSED_EXTENSIONS: [(&str, &str); 14] = [
     ("ide", IDE),
     ("dxd", DEWESOFT),
     ("d7d", DEWESOFT),
@@ -141,6 +141,8 @@ pub(in crate::read) fn describe(path: &Path, head: &[u8]) -> Option<String> {
         return Some((*description).to_owned());
     }
     let extension = path.extension()?.to_str()?.to_lowercase();
-    let (_, description) = EXTENSIONS.iter().find(|(known, _)| *known == extension)?;
+    let (_, description) = REFUSED_EXTENSIONS
+        .iter()
+        .find(|(known, _)| *known == extension)?;
     Some(format!("by its extension it is {description}"))
 }

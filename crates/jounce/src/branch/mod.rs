@@ -12,7 +12,7 @@ pub use options::{BranchOptions, OrbitMethod};
 pub use report::band_limit_text;
 pub(crate) use report::branch_line;
 pub use result::{
-    Bifurcation, Branch, BranchPoint, BranchResult, HalfPowerBandwidth, NotProved, OrbitQuantity,
+    Bifurcation, Branch, BranchPoint, BranchQuantity, BranchResult, HalfPowerBandwidth, NotProved,
     Termination, TerminationReason,
 };
 pub(crate) use warnings::{budget_note, search_note};
@@ -55,7 +55,7 @@ impl Harvester {
         let method = options.orbit_method()?;
         let (key, range) = continuation_options::range(self, "over", &options.over)?;
         let base = self.model()?;
-        let quantity = OrbitQuantity::of(&base.kernel.plant.system)?;
+        let quantity = BranchQuantity::of(&base.kernel.plant.system)?;
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
         let search = BranchSearch {
             base: &base,
@@ -119,7 +119,7 @@ fn exceeded(
         .collect()
 }
 
-impl OrbitQuantity {
+impl BranchQuantity {
     fn of(system: &System) -> Result<Self, Error> {
         let has_circuit = !(system.loads.is_empty() && system.bridges.is_empty());
         match (has_circuit, system.stops.is_empty()) {

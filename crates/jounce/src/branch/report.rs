@@ -1,6 +1,6 @@
 //! Figure of branches, and the quantity that it shows.
 
-use super::{Bifurcation, Branch, BranchPoint, BranchResult, OrbitQuantity};
+use super::{Bifurcation, Branch, BranchPoint, BranchQuantity, BranchResult};
 use jounce_analysis::BandLimit;
 use jounce_plot as picture;
 use jounce_plot::{Axis, BranchLine, BranchMark, Colour, Figure};
@@ -19,7 +19,7 @@ pub fn band_limit_text(limit: BandLimit) -> &'static str {
     }
 }
 
-impl OrbitQuantity {
+impl BranchQuantity {
     /// Returns the value at a bifurcation.
     pub fn at(self, bifurcation: &Bifurcation) -> f64 {
         match self {

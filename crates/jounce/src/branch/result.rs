@@ -22,7 +22,7 @@ pub struct BranchResult {
     pub note: String,
     /// Quantity that figures and texts show over the key.
     #[serde(skip)]
-    pub quantity: OrbitQuantity,
+    pub quantity: BranchQuantity,
     /// Options of the search.
     #[serde(skip)]
     pub options: BranchOptions,
@@ -161,9 +161,9 @@ pub struct HalfPowerBandwidth {
     pub intervals: Vec<BandInterval>,
 }
 
-/// Quantity of an orbit that figures and texts show.
+/// Quantity of the orbits of a branch that figures and texts show.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum OrbitQuantity {
+pub enum BranchQuantity {
     /// Mean power of all loads, W.
     MeanPower,
     /// Half the peak-to-peak displacement at the first stop, m, for a harvester without a circuit.
