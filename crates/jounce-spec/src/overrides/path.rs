@@ -2,7 +2,6 @@
 
 use crate::Spec;
 use crate::key::{KeyInfo, Kind, Row, rows};
-use crate::keys::SPEC;
 use crate::nearest::{clip, join_words, nearest};
 use crate::numeric_key::{beyond, list_index};
 use crate::read::join;
@@ -13,7 +12,7 @@ const MAX_COMPARED_PATHS: usize = 5000;
 
 /// True for the path of a table: of settings, of elements, of one element, or of named values.
 pub(super) fn is_table(path: &[String]) -> bool {
-    is_table_in(&rows(SPEC, Spec::default), path)
+    is_table_in(&rows(&Spec::default()), path)
 }
 
 fn is_table_in(rows: &[Row], path: &[String]) -> bool {
@@ -33,7 +32,7 @@ fn is_table_in(rows: &[Row], path: &[String]) -> bool {
 
 /// Returns the keys that the key at a path excludes, from every rule of its table that names it.
 pub(super) fn excluded(path: &[String]) -> Vec<&'static str> {
-    excluded_in(&rows(SPEC, Spec::default), path)
+    excluded_in(&rows(&Spec::default()), path)
 }
 
 fn excluded_in(rows: &[Row], path: &[String]) -> Vec<&'static str> {
@@ -60,7 +59,7 @@ fn excluded_in(rows: &[Row], path: &[String]) -> Vec<&'static str> {
 
 /// Returns the key at a path if the elements on the path exist in the file.
 pub(crate) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
-    let top = rows(SPEC, Spec::default);
+    let top = rows(&Spec::default());
     let segments: Vec<&str> = key.split('.').collect();
     walk(&top, Some(root), &segments, "").map_err(|path_error| {
         let reason = match path_error {
