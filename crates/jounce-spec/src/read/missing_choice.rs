@@ -70,7 +70,7 @@ pub(super) fn check(
             reading.fault(entry.node.position, &path, || text.to_owned())
         }
         Some(text) => reading.fault(entry.node.position, &path, || {
-            format!("{text}, except with {on} = {}", join_words(words))
+            format!("{text}, except with {on} = {}", join_words(&words))
         }),
         None if words.is_empty() => {
             reading.fault(entry.node.position, &path, || kinds.join("; or "))

@@ -23,7 +23,8 @@ pub(crate) fn read_keys(
         });
     };
     let infos: Vec<&KeyInfo> = element.keys().map(|(_, info)| info).collect();
-    reading.misspelt.extend(misspelt(&infos, path, entries));
+    let names: Vec<&str> = infos.iter().map(|info| info.name).collect();
+    reading.misspelt.extend(misspelt(&names, path, entries));
     let mut doubtful: Vec<&str> = Vec::new();
     for (index, info) in infos.iter().copied().enumerate() {
         if let Some(choice) = info
@@ -31,7 +32,7 @@ pub(crate) fn read_keys(
             .map(|when| when.key)
             .filter(|choice| doubtful.contains(choice))
         {
-            if infos[..index].iter().all(|other| other.name != info.name)
+            if !names[..index].contains(&info.name)
                 && let Some(entry) = entries.iter().find(|entry| entry.name == info.name)
             {
                 missing_choice::check(choice, path, entry, element, reading);
@@ -45,7 +46,7 @@ pub(crate) fn read_keys(
             continue;
         }
         let Some(entry) = entries.iter().find(|entry| entry.name == info.name) else {
-            if missing(&infos, info, path, node, reading) {
+            if missing(&names, info, path, node, reading) {
                 doubtful.push(info.name);
             }
             continue;
@@ -73,19 +74,18 @@ pub(crate) fn read_keys(
 }
 
 /// Returns the dotted paths of the keys that unknown keys of a table probably mean.
-fn misspelt(infos: &[&KeyInfo], path: &str, entries: &[Entry]) -> Vec<String> {
-    let names = || infos.iter().map(|info| info.name);
+fn misspelt(names: &[&str], path: &str, entries: &[Entry]) -> Vec<String> {
     let unknown = entries
         .iter()
-        .filter(|entry| names().all(|name| name != entry.name));
-    let meant = unknown.filter_map(|entry| nearest(&entry.name, names()));
+        .filter(|entry| !names.contains(&entry.name.as_str()));
+    let meant = unknown.filter_map(|entry| nearest(&entry.name, names));
     meant.map(|meant| join(path, meant)).collect()
 }
 
 /// Reports a required key that is absent, unless a misspelt key replaces it; true if one is
 /// missing.
 fn missing(
-    infos: &[&KeyInfo],
+    names: &[&str],
     info: &KeyInfo,
     path: &str,
     node: &Node,
@@ -112,15 +112,14 @@ fn missing(
         Need::Required => true,
         Need::OneOf(names) => names.first() == Some(&info.name) && !names.iter().any(stands),
     };
-    let names = || infos.iter().map(|info| info.name);
     let misspelt = |entry: &Entry| {
-        let meant = nearest(&entry.name, names());
+        let meant = nearest(&entry.name, names);
         let replaces = |meant: &str| {
             meant == info.name
                 || info.unless == Some(meant)
                 || info.need.alternatives().contains(&meant)
         };
-        names().all(|name| name != entry.name) && meant.is_some_and(replaces)
+        !names.contains(&entry.name.as_str()) && meant.is_some_and(replaces)
     };
     let is_elsewhere = reading.is_below_misspelt(path);
     if must
@@ -150,8 +149,8 @@ fn check_known(
         return reading.fault(entry.position, &key, || {
             format!(
                 "unknown key{}; keys here: {}",
-                did_you_mean(&entry.name, names.iter().copied()),
-                join_words(names.iter().copied())
+                did_you_mean(&entry.name, &names),
+                join_words(&names)
             )
         });
     }
@@ -174,7 +173,7 @@ fn check_known(
             "does not apply with {} = \"{}\", only with {}",
             when.key,
             element.chosen(when.key).unwrap_or_default(),
-            join_words(words.iter().copied())
+            join_words(&words)
         )
     });
 }

@@ -139,7 +139,7 @@ fn text<'n>(
 ) -> Option<&'n str> {
     let wrong = match (&node.value, info.kind) {
         (Value::Text(text), Kind::Choice(words)) if !words.contains(&text.as_str()) => {
-            let suggestion = did_you_mean(text, words.iter().copied());
+            let suggestion = did_you_mean(text, words);
             format!(
                 "\"{}\" is not known{suggestion}; {}",
                 clip(text),
@@ -149,7 +149,7 @@ fn text<'n>(
         (Value::Text(text), Kind::ChoiceOrPath(words))
             if !words.contains(&text.as_str()) && !text.contains(['.', '/', '\\']) =>
         {
-            let suggestion = did_you_mean(text, words.iter().copied());
+            let suggestion = did_you_mean(text, words);
             format!(
                 "\"{}\" is not known{suggestion}; {}",
                 clip(text),
