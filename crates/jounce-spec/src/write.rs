@@ -110,9 +110,9 @@ fn write_below(value: &ValueRef<'_>, kind: Kind, path: &str, out: &mut String) {
         }
         (ValueRef::Table(inner), _) => write_keys(*inner, path, false, out),
         (ValueRef::Things(inner), _) => {
-            for (name, element) in inner.all() {
+            inner.for_each(&mut |name, element| {
                 write_keys(element, &join(path, &key(name)), true, out);
-            }
+            });
         }
         _ => {}
     }

@@ -172,8 +172,8 @@ impl dyn Element + '_ {
 
 /// Elements of one type by their names.
 pub(crate) trait Elements {
-    /// Returns all of them in the order of their names.
-    fn all(&self) -> Vec<(&str, &dyn Element)>;
+    /// Calls a function with each of them, in the order of their names.
+    fn for_each(&self, call: &mut dyn FnMut(&str, &dyn Element));
     /// Returns one of them.
     fn get(&self, name: &str) -> Option<&dyn Element>;
     /// Returns one of them for writing.
@@ -185,11 +185,10 @@ pub(crate) trait Elements {
 }
 
 impl<T: Keyed> Elements for BTreeMap<String, T> {
-    fn all(&self) -> Vec<(&str, &dyn Element)> {
-        let elements = self.iter();
-        elements
-            .map(|(name, element)| (name.as_str(), element as &dyn Element))
-            .collect()
+    fn for_each(&self, call: &mut dyn FnMut(&str, &dyn Element)) {
+        for (name, element) in self {
+            call(name, element);
+        }
     }
 
     fn get(&self, name: &str) -> Option<&dyn Element> {
