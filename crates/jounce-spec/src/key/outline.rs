@@ -18,11 +18,9 @@ impl Row {
     /// Returns the kind of quantity for a word of the choice that it depends on.
     pub(crate) fn quantity_of_word(&self, choice: &str, word: &str) -> Option<Quantity> {
         let is_by_choice = self.info.measured_by == Some(choice);
-        let quantities = self.by_word.iter().filter(|_| is_by_choice);
-        quantities
-            .filter(|(other, _)| *other == word)
-            .map(|(_, quantity)| *quantity)
-            .next()
+        let mut quantities = self.by_word.iter();
+        let found = quantities.find(|(other, _)| is_by_choice && *other == word);
+        found.map(|(_, quantity)| *quantity)
     }
 }
 
