@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 
 use super::fault::{Fault, Faults};
 use super::key::Kind;
-use super::keys::SPEC;
 use super::nearest::clip;
 use super::numeric_key::NumericKey;
 use super::overrides::{Override, resolve};
@@ -130,7 +129,7 @@ impl SpecFile {
         }
         let mut spec = Spec::default();
         let mut reading = ReadState::new(self.source.complete);
-        read_keys(SPEC, "", &self.source.root, &mut spec, &mut reading);
+        read_keys("", &self.source.root, &mut spec, &mut reading);
         if self.source.complete {
             reading.add_broken(validation::broken(&spec));
             reading.add_broken(self.read_recordings(&mut spec));

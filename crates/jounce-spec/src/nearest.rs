@@ -18,17 +18,12 @@ const MIN_PREFIX_LENGTH: usize = 3;
 /// Returns the shortest candidate of which the word is the beginning, except for a path below it;
 /// without one, the nearest candidate within one edit per three characters, and at least one edit;
 /// without one, the longest candidate that the word contains at its beginning or between separators.
-pub fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
-    if word.chars().count() > MAX_WORD_LENGTH {
+pub fn nearest<'c>(word: &str, candidates: &[&'c str]) -> Option<&'c str> {
+    let length = word.chars().count();
+    if length > MAX_WORD_LENGTH {
         return None;
     }
-    let all: Vec<&str> = candidates.into_iter().take(MAX_CANDIDATES).collect();
-    nearest_of(word, all)
-}
-
-/// Chooses among a list, for one compiled function in place of one per kind of list.
-fn nearest_of<'c>(word: &str, mut near: Vec<&'c str>) -> Option<&'c str> {
-    let length = word.chars().count();
+    let mut near = candidates[..candidates.len().min(MAX_CANDIDATES)].to_vec();
     near.retain(|candidate| candidate.len() <= MAX_WORD_LENGTH);
     let is_begun = |candidate: &&&str| {
         let rest = candidate.strip_prefix(word);
@@ -60,15 +55,15 @@ fn contains(word: &str, candidate: &str) -> bool {
 }
 
 /// Returns ` (did you mean X?)`, or an empty text.
-pub fn did_you_mean<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> String {
+pub fn did_you_mean(word: &str, candidates: &[&str]) -> String {
     nearest(word, candidates)
         .map(|near| format!(" (did you mean `{near}`?)"))
         .unwrap_or_default()
 }
 
 /// Returns a list for a message: `a, b, c and 5 more`.
-pub(super) fn join_words<'c>(words: impl IntoIterator<Item = &'c str>) -> String {
-    let mut words: Vec<&str> = words.into_iter().collect();
+pub(super) fn join_words(words: &[&str]) -> String {
+    let mut words = words.to_vec();
     words.dedup();
     let quoted = words
         .iter()
@@ -98,38 +93,39 @@ mod tests {
     #[test]
     fn misspellings_find_their_word_and_others_do_not() {
         let keys = ["stiffness", "gap", "law"];
-        assert_eq!(nearest("stifness", keys), Some("stiffness"));
-        assert_eq!(nearest("gpa", keys), Some("gap"));
-        assert_eq!(nearest("colour", keys), None);
-        assert_eq!(nearest(&"gap".repeat(100), keys), None);
+        assert_eq!(nearest("stifness", &keys), Some("stiffness"));
+        assert_eq!(nearest("gpa", &keys), Some("gap"));
+        assert_eq!(nearest("colour", &keys), None);
+        assert_eq!(nearest(&"gap".repeat(100), &keys), None);
     }
 
     #[test]
     fn the_beginning_of_a_word_finds_it_before_a_word_of_similar_letters() {
         let keys = ["from", "frequency", "force", "force_n", "stop.tip.gap"];
-        assert_eq!(nearest("freq", keys), Some("frequency"));
-        assert_eq!(nearest("forc", keys), Some("force"));
-        assert_eq!(nearest("fr", keys), None);
-        assert_eq!(nearest("stop", keys), None);
-        assert_eq!(nearest("stop.tip.ga", keys), Some("stop.tip.gap"));
+        assert_eq!(nearest("freq", &keys), Some("frequency"));
+        assert_eq!(nearest("forc", &keys), Some("force"));
+        assert_eq!(nearest("fr", &keys), None);
+        assert_eq!(nearest("stop", &keys), None);
+        assert_eq!(nearest("stop.tip.ga", &keys), Some("stop.tip.gap"));
     }
 
     #[test]
     fn a_word_with_more_letters_finds_the_word_that_it_contains() {
         let laws = ["hertz", "spring", "rigid"];
-        assert_eq!(nearest("hertzian", laws), Some("hertz"));
-        assert_eq!(nearest("linear spring", laws), Some("spring"));
-        assert_eq!(nearest("mainspring", laws), None);
+        assert_eq!(nearest("hertzian", &laws), Some("hertz"));
+        assert_eq!(nearest("linear spring", &laws), Some("spring"));
+        assert_eq!(nearest("mainspring", &laws), None);
         let metals = ["aluminium", "steel", "stainless-steel"];
-        assert_eq!(nearest("spring steel", metals), Some("steel"));
-        assert_eq!(nearest("stop.tip.gap.uncertainty", ["stop.tip.gap"]), None);
+        assert_eq!(nearest("spring steel", &metals), Some("steel"));
+        assert_eq!(nearest("stop.tip.gap.uncertainty", &["stop.tip.gap"]), None);
     }
 
     #[test]
     fn long_lists_are_cut() {
         let names: Vec<String> = (0..20).map(|i| i.to_string()).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
         assert_eq!(
-            join_words(names.iter().map(String::as_str)),
+            join_words(&names),
             "0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 and 7 more"
         );
     }

@@ -1,8 +1,7 @@
 //! A key that holds one number, for sweeps.
 
 use super::fault::Fault;
-use super::key::{Key, KeyInfo, Kind, Slot, applies};
-use super::keys::SPEC;
+use super::key::{Element, KeyInfo, Kind, ValueMut, ValueRef};
 use super::nearest::clip;
 use super::{Spec, validation};
 
@@ -27,7 +26,7 @@ pub struct NumericKey {
 
 /// Properties of the number at a path.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Numeric {
+struct Numeric {
     info: KeyInfo,
     kind: Kind,
     value: f64,
@@ -41,7 +40,7 @@ impl NumericKey {
     /// A path without a number, or of a complete list. The exponent of a contact law is refused,
     /// because the unit of its stiffness depends on it.
     pub fn find(spec: &Spec, path: &str) -> Result<Self, Fault> {
-        let Some(entry) = locate(SPEC, spec, &segments(path)) else {
+        let Some(entry) = locate(spec, &segments(path)) else {
             return Err(Fault::without_position(
                 path,
                 format!("{}: {}", clip(path), no_number(spec, path)),
@@ -131,7 +130,7 @@ impl NumericKey {
     /// # Errors
     /// A spec without this key.
     pub fn get(&self, spec: &Spec) -> Result<f64, Fault> {
-        let entry = locate(SPEC, spec, &segments(&self.path));
+        let entry = locate(spec, &segments(&self.path));
         entry.map(|entry| entry.value).ok_or_else(|| {
             Fault::without_position(
                 &self.path,
@@ -197,9 +196,9 @@ impl NumericKey {
     }
 
     fn store(&self, spec: &mut Spec, value: f64) {
-        store(SPEC, spec, &segments(&self.path), value);
+        store(spec, &segments(&self.path), value);
         if let Some((path, value)) = &self.retained_value {
-            store(SPEC, spec, &segments(path), *value);
+            store(spec, &segments(path), *value);
         }
     }
 }
@@ -223,7 +222,7 @@ fn segments(path: &str) -> Vec<&str> {
 /// Returns the length of the list at a path; 0 if there is no list.
 fn listed(spec: &Spec, path: &str) -> usize {
     let is_listed = |number: &usize| {
-        let entry = locate(SPEC, spec, &segments(&format!("{path}.{number}")));
+        let entry = locate(spec, &segments(&format!("{path}.{number}")));
         entry.is_some_and(|entry| {
             entry.info.kind.is_list_of_numbers() || entry.info.kind == Kind::NamedNumbers
         })
@@ -271,80 +270,68 @@ pub(super) fn list_index(number: &str) -> Option<usize> {
 }
 
 /// Returns the number at a path below an element.
-pub(super) fn locate<T>(keys: &[Key<T>], element: &T, path: &[&str]) -> Option<Numeric> {
+fn locate(element: &dyn Element, path: &[&str]) -> Option<Numeric> {
     let (name, rest) = path.split_first()?;
-    let key = keys
-        .iter()
-        .find(|key| key.info.name == *name && applies(keys, element, &key.info))?;
+    let (index, info) = element.applicable(name)?;
     let numeric = |value| Numeric {
-        info: key.info,
-        kind: key.kind_in(element),
+        info: *info,
+        kind: element.kind(index, info),
         value,
     };
-    match (&key.slot, rest) {
-        (Slot::Number { get, .. } | Slot::Derived { get, .. }, []) => Some(numeric(get(element))),
-        (Slot::Optional { get, .. }, []) => Some(numeric(get(element)?)),
-        (Slot::Count { get, .. }, []) => Some(numeric(get(element) as f64)),
-        (Slot::NamedQuantities { get, .. }, [name]) => {
-            get(element).get(*name).map(|value| numeric(*value))
+    match (element.get(index), rest) {
+        (ValueRef::Number(value) | ValueRef::Derived(value), []) => Some(numeric(value)),
+        (ValueRef::Optional(value), []) => value.map(numeric),
+        (ValueRef::Count(count), []) => Some(numeric(count as f64)),
+        (ValueRef::NamedQuantities(values), [name]) => values.get(*name).copied().map(numeric),
+        (ValueRef::Numbers(list) | ValueRef::DerivedNumbers { list, .. }, [number]) => {
+            one_of_list(info, list, number)
         }
-        (Slot::Numbers { get, .. } | Slot::DerivedNumbers { get, .. }, [number]) => get(element)
-            .get(list_index(number)?)
-            .map(|value| one_of_list(key.info, *value)),
-        (Slot::NamedNumbers { get, .. }, [name, number]) => get(element)
-            .get(*name)?
-            .get(list_index(number)?)
-            .map(|value| one_of_list(key.info, *value)),
-        (Slot::Inner(inner), rest) => inner.locate(element, rest),
+        (ValueRef::NamedNumbers(lists), [name, number]) => {
+            one_of_list(info, lists.get(*name)?, number)
+        }
+        (ValueRef::Table(inner), rest) => locate(inner, rest),
+        (ValueRef::Things(inner), [name, rest @ ..]) => locate(inner.get(name)?, rest),
         _ => None,
     }
 }
 
-fn one_of_list(info: KeyInfo, value: f64) -> Numeric {
-    Numeric {
-        info,
+fn one_of_list(info: &KeyInfo, list: &[f64], number: &str) -> Option<Numeric> {
+    Some(Numeric {
+        info: *info,
         kind: info.kind.of_one(),
-        value,
-    }
+        value: *list.get(list_index(number)?)?,
+    })
 }
 
-/// Stores a number at a path below an element; false if there is none.
-pub(super) fn store<T>(keys: &[Key<T>], element: &mut T, path: &[&str], value: f64) -> bool {
+/// Stores a number at a path below an element; without one, nothing changes.
+fn store(element: &mut dyn Element, path: &[&str], value: f64) {
     let Some((name, rest)) = path.split_first() else {
-        return false;
+        return;
     };
-    let Some(key) = keys
-        .iter()
-        .find(|key| key.info.name == *name && applies(keys, element, &key.info))
-    else {
-        return false;
+    let Some((index, _)) = element.applicable(name) else {
+        return;
     };
-    match (&key.slot, rest) {
-        (Slot::Number { set, .. } | Slot::Derived { set, .. } | Slot::Optional { set, .. }, []) => {
-            set(element, value)
+    let slot = match (element.open(index), rest) {
+        (ValueMut::Number, []) => return element.set_number(index, value),
+        (ValueMut::NamedQuantities(values), [name]) => values.get_mut(*name),
+        (ValueMut::Numbers(list), [number]) => in_list(list, number),
+        (ValueMut::NamedNumbers(lists), [name, number]) => {
+            lists.get_mut(*name).and_then(|list| in_list(list, number))
         }
-        (Slot::Count { set, .. }, []) => set(element, value as usize),
-        (Slot::NamedQuantities { open, .. }, [name]) => {
-            let Some(slot) = open(element).get_mut(*name) else {
-                return false;
-            };
-            *slot = value;
+        (ValueMut::Table(inner), rest) => return store(inner, rest, value),
+        (ValueMut::Things(inner), [name, rest @ ..]) => {
+            if let Some(inner) = inner.get_mut(name) {
+                store(inner, rest, value);
+            }
+            return;
         }
-        (Slot::Numbers { open, .. } | Slot::DerivedNumbers { open, .. }, [number]) => {
-            return store_in_list(open(element), number, value);
-        }
-        (Slot::NamedNumbers { open, .. }, [name, number]) => {
-            return open(element)
-                .get_mut(*name)
-                .is_some_and(|list| store_in_list(list, number, value));
-        }
-        (Slot::Inner(inner), rest) => return inner.store(element, rest, value),
-        _ => return false,
+        _ => None,
+    };
+    if let Some(slot) = slot {
+        *slot = value;
     }
-    true
 }
 
-fn store_in_list(list: &mut [f64], number: &str, value: f64) -> bool {
-    let slot = list_index(number).and_then(|slot| list.get_mut(slot));
-    slot.map(|slot| *slot = value).is_some()
+fn in_list<'l>(list: &'l mut [f64], number: &str) -> Option<&'l mut f64> {
+    list.get_mut(list_index(number)?)
 }

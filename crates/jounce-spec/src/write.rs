@@ -3,8 +3,8 @@
 
 use sha2::{Digest, Sha256};
 
-use super::key::{Key, Kind, Slot, applies};
-use super::keys::SPEC;
+use super::key::{Element, Kind, ValueRef};
+use super::read::join;
 use super::{DriveSignal, Modal, Source, Spec};
 
 impl Spec {
@@ -17,11 +17,7 @@ impl Spec {
     /// structures come back equal.
     pub fn to_toml(&self) -> String {
         let mut out = String::new();
-        for key in SPEC {
-            if let Slot::Inner(inner) = &key.slot {
-                inner.write(self, key.info.name, &mut out);
-            }
-        }
+        write_keys(self, "", false, &mut out);
         out.trim_start().to_owned()
     }
 
@@ -53,35 +49,22 @@ impl Spec {
 impl Modal {
     /// Prints the structure as `[modal.NAME]` with its tables, as [`Spec::to_toml`] does.
     pub fn to_toml(&self, name: &str) -> String {
-        let spec = Spec {
-            modal: [(name.to_owned(), self.clone())].into(),
-            ..Spec::default()
-        };
         let mut out = String::new();
-        for key in SPEC.iter().filter(|key| key.info.name == "modal") {
-            if let Slot::Inner(inner) = &key.slot {
-                inner.write(&spec, key.info.name, &mut out);
-            }
-        }
+        write_keys(self, &join("modal", &key(name)), true, &mut out);
         out.trim_start().to_owned()
     }
 }
 
 /// Prints one element under its header; `always` prints the header of an empty element too.
-pub(super) fn write_keys<T>(
-    keys: &[Key<T>],
-    element: &T,
-    path: &str,
-    always: bool,
-    out: &mut String,
-) {
+fn write_keys(element: &dyn Element, path: &str, always: bool, out: &mut String) {
     let mut key_lines = String::new();
     let mut below = String::new();
-    for key in keys.iter().filter(|key| applies(keys, element, &key.info)) {
-        if let Some(value) = value(key, element) {
-            line(&mut key_lines, key.info.name, &value);
+    for (index, info) in element.keys().filter(|(_, info)| element.applies(info)) {
+        let value = element.get(index);
+        write_below(&value, info.kind, &join(path, info.name), &mut below);
+        if let Some(value) = text(value, element.kind(index, info)) {
+            line(&mut key_lines, info.name, &value);
         }
-        write_below(key, element, path, &mut below);
     }
     if always || !key_lines.is_empty() {
         out.push_str(&format!("\n[{path}]\n{key_lines}"));
@@ -93,59 +76,54 @@ fn line(out: &mut String, name: &str, value: &str) {
     out.push_str(&format!("{name} = {value}\n"));
 }
 
-fn value<T>(key: &Key<T>, element: &T) -> Option<String> {
-    let number = |value: f64| match key.kind_in(element) {
+/// Returns the value of a key in a line; `None` if it is not printed or has its own header.
+fn text(value: ValueRef<'_>, kind: Kind) -> Option<String> {
+    let number = |value: f64| match kind {
         Kind::Quantity(quantity) => quoted(&quantity.write(value)),
         _ => float(value),
     };
-    match &key.slot {
+    match value {
         // A key that another one replaces has no number.
-        Slot::Number { get, .. } => Some(get(element))
-            .filter(|value| value.is_finite())
-            .map(number),
-        Slot::Optional { get, .. } => get(element).map(number),
-        Slot::Count { get, .. } => Some(get(element).to_string()),
-        Slot::Text { get, .. } => Some(get(element))
-            .filter(|text| !text.is_empty())
-            .map(|text| quoted(&text)),
-        Slot::Texts { get, .. } => (!get(element).is_empty()).then(|| texts(get(element))),
-        Slot::Numbers { get, .. } => (!get(element).is_empty()).then(|| list(get(element))),
-        Slot::Derived { .. }
-        | Slot::DerivedNumbers { .. }
-        | Slot::NamedQuantities { .. }
-        | Slot::NamedNumbers { .. }
-        | Slot::Inner(_) => None,
+        ValueRef::Number(value) => value.is_finite().then(|| number(value)),
+        ValueRef::Optional(value) => value.map(number),
+        ValueRef::Count(count) => Some(count.to_string()),
+        ValueRef::Text(text) => (!text.is_empty()).then(|| quoted(&text)),
+        ValueRef::Texts(values) => (!values.is_empty()).then(|| texts(values)),
+        ValueRef::Numbers(values) => (!values.is_empty()).then(|| list(values)),
+        _ => None,
     }
 }
 
-fn write_below<T>(key: &Key<T>, element: &T, path: &str, out: &mut String) {
-    let path = format!("{path}.{}", key.info.name);
+/// Prints the values of a key that have their own header.
+fn write_below(value: &ValueRef<'_>, kind: Kind, path: &str, out: &mut String) {
     let mut lines = String::new();
-    match (&key.slot, key.info.kind) {
-        (Slot::NamedQuantities { get, .. }, Kind::NamedQuantities(quantity)) => {
-            for (name, value) in get(element) {
-                line(
-                    &mut lines,
-                    &toml_edit::Key::new(name).to_string(),
-                    &quoted(&quantity.write(*value)),
-                );
+    match (value, kind) {
+        (ValueRef::NamedQuantities(values), Kind::NamedQuantities(quantity)) => {
+            for (name, value) in *values {
+                line(&mut lines, &key(name), &quoted(&quantity.write(*value)));
             }
         }
-        (Slot::NamedNumbers { get, .. }, _) => {
-            for (name, values) in get(element) {
-                line(
-                    &mut lines,
-                    &toml_edit::Key::new(name).to_string(),
-                    &list(values),
-                );
+        (ValueRef::NamedNumbers(values), _) => {
+            for (name, values) in *values {
+                line(&mut lines, &key(name), &list(values));
             }
         }
-        (Slot::Inner(inner), _) => inner.write(element, &path, out),
+        (ValueRef::Table(inner), _) => write_keys(*inner, path, false, out),
+        (ValueRef::Things(inner), _) => {
+            inner.for_each(&mut |name, element| {
+                write_keys(element, &join(path, &key(name)), true, out);
+            });
+        }
         _ => {}
     }
     if !lines.is_empty() {
         out.push_str(&format!("\n[{path}]\n{lines}"));
     }
+}
+
+/// Returns a name as a key, in quotes where TOML requires them.
+fn key(name: &str) -> String {
+    toml_edit::Key::new(name).to_string()
 }
 
 fn quoted(text: &str) -> String {

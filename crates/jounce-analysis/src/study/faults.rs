@@ -68,7 +68,7 @@ impl<'t> FaultCollector<'t> {
     pub fn known(&mut self, path: &str, table: &Table, known: &[&str]) {
         for (key, item) in table {
             if !known.contains(&key) {
-                let meant = nearest(key, known.iter().copied());
+                let meant = nearest(key, known);
                 self.misspelt
                     .extend(meant.map(|meant| format!("{path}{meant}")));
                 let span = table
@@ -80,7 +80,7 @@ impl<'t> FaultCollector<'t> {
                     span,
                     format!(
                         "{path}{key}: there is no such key{}; there are {}",
-                        did_you_mean(key, known.iter().copied()),
+                        did_you_mean(key, known),
                         known.join(", ")
                     ),
                 );

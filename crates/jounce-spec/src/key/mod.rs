@@ -4,13 +4,13 @@
 //! Reading, range checks, suggestions, overrides, sweeps, printing, the JSON Schema and the key
 //! reference all use this table.
 
-mod inner;
+mod element;
 mod kind;
 mod outline;
 mod range;
 mod slot;
 
-pub(super) use inner::{Inner, Named, Single};
+pub(super) use element::{Element, Elements, Keyed, ValueMut, ValueRef};
 pub(super) use kind::Kind;
 pub(super) use outline::{Row, rows};
 pub(super) use range::Range;
@@ -22,17 +22,9 @@ use super::Quantity;
 pub(super) struct Key<T: 'static> {
     pub(super) info: KeyInfo,
     pub(super) slot: Slot<T>,
-    /// Kind of quantity if it depends on other keys of the same element.
-    pub(super) quantity: Option<DependentQuantity<T>>,
-}
-
-/// Kind of quantity that depends on another key of the same element.
-pub(super) struct DependentQuantity<T> {
-    /// The other key, which precedes this one in the table.
-    pub(super) by: &'static str,
-    /// `None` if a fault of other keys leaves it undefined. Then the key is not read, so only that
-    /// fault is reported.
-    pub(super) quantity: fn(&T) -> Option<Quantity>,
+    /// Kind of quantity if it depends on another key of the same element; `None` if a fault of other
+    /// keys leaves it undefined. Then the key is not read, so only that fault is reported.
+    pub(super) quantity: Option<fn(&T) -> Option<Quantity>>,
 }
 
 /// Properties of a key that do not depend on the type that it is read into.
@@ -44,6 +36,8 @@ pub(super) struct KeyInfo {
     pub(super) when: Option<When>,
     /// A key of the same table that gives this key a value if it is omitted.
     pub(super) unless: Option<&'static str>,
+    /// The key that the kind of quantity depends on, which precedes this one in the table.
+    pub(super) measured_by: Option<&'static str>,
     pub(super) range: Range,
     /// One line of help for the key reference and for editors.
     pub(super) doc: &'static str,
@@ -87,6 +81,7 @@ impl<T> Key<T> {
             need: Need::Required,
             when: None,
             unless: None,
+            measured_by: None,
             range: Range::ANY,
             doc,
         };
@@ -186,32 +181,8 @@ impl<T> Key<T> {
         by: &'static str,
         quantity: fn(&T) -> Option<Quantity>,
     ) -> Self {
-        self.quantity = Some(DependentQuantity { by, quantity });
+        self.info.measured_by = Some(by);
+        self.quantity = Some(quantity);
         self
     }
-
-    /// Returns the kind of the key in this element.
-    pub(super) fn kind_in(&self, element: &T) -> Kind {
-        self.quantity
-            .as_ref()
-            .and_then(|measure| (measure.quantity)(element))
-            .map_or(self.info.kind, Kind::Quantity)
-    }
-}
-
-/// Returns the word of a choice in an element.
-pub(super) fn chosen<T>(keys: &[Key<T>], element: &T, choice: &str) -> Option<String> {
-    keys.iter()
-        .find(|key| key.info.name == choice)
-        .and_then(|key| match key.slot {
-            Slot::Text { get, .. } => Some(get(element)),
-            _ => None,
-        })
-}
-
-/// True if the key applies to the choices of the element.
-pub(super) fn applies<T>(keys: &[Key<T>], element: &T, info: &KeyInfo) -> bool {
-    info.when.is_none_or(|when| {
-        chosen(keys, element, when.key).is_some_and(|word| when.is.contains(&word.as_str()))
-    })
 }

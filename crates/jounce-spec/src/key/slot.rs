@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Inner;
+use super::{Element, Elements};
 
 /// Access to the value of one key of a `T`; numbers are in SI.
 pub(crate) enum Slot<T: 'static> {
@@ -78,6 +78,18 @@ pub(crate) enum Slot<T: 'static> {
         /// returns them for writing
         open: fn(&mut T) -> &mut BTreeMap<String, Vec<f64>>,
     },
-    /// A nested table.
-    Inner(&'static dyn Inner<T>),
+    /// A table that occurs once: `[run]`.
+    Table {
+        /// reads it
+        get: fn(&T) -> &dyn Element,
+        /// returns it for writing
+        open: fn(&mut T) -> &mut dyn Element,
+    },
+    /// Elements by names that the user chooses: `[beam.NAME]`.
+    Things {
+        /// reads them
+        get: fn(&T) -> &dyn Elements,
+        /// returns them for writing
+        open: fn(&mut T) -> &mut dyn Elements,
+    },
 }

@@ -2,25 +2,29 @@
 
 use std::collections::BTreeMap;
 
-use crate::key::{Key, Kind, Range, Slot};
+use crate::key::{Key, Keyed, Kind, Range, Slot};
 use crate::material;
 use crate::{Beam, Quantity};
 
-pub(super) fn blank() -> Beam {
-    Beam {
-        material: String::new(),
-        length_m: f64::NAN,
-        width_m: f64::NAN,
-        thickness_m: f64::NAN,
-        youngs_modulus_pa: f64::NAN,
-        density_kg_m3: f64::NAN,
-        root: "ground".to_owned(),
-        root_stiffness_n_m_rad: None,
-        point: BTreeMap::new(),
+impl Keyed for Beam {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Self {
+            material: String::new(),
+            length_m: f64::NAN,
+            width_m: f64::NAN,
+            thickness_m: f64::NAN,
+            youngs_modulus_pa: f64::NAN,
+            density_kg_m3: f64::NAN,
+            root: "ground".to_owned(),
+            root_stiffness_n_m_rad: None,
+            point: BTreeMap::new(),
+        }
     }
 }
 
-pub(super) static KEYS: &[Key<Beam>] = &[
+static KEYS: &[Key<Beam>] = &[
     Key::text(
         "material",
         Kind::Choice(material::STRUCTURAL),

@@ -1,6 +1,6 @@
 //! `[circuit.NAME]`
 
-use crate::key::{Key, Kind, Range, Slot};
+use crate::key::{Key, Keyed, Kind, Range, Slot};
 use crate::{Circuit, Interface, Quantity, Wiring};
 
 const PATCHES: &[&str] = &["patch", "patches"];
@@ -10,11 +10,15 @@ const INTERFACES: &[&str] = &["resistor", "bridge", "parallel-sshi", "series-ssh
 const RECTIFIED: &[&str] = &["bridge", "parallel-sshi", "series-sshi", "sece"];
 const WIRING: &[&str] = &["parallel", "series"];
 
-pub(super) fn blank() -> Circuit {
-    Circuit::resistor(String::new(), f64::NAN)
+impl Keyed for Circuit {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Circuit::resistor(String::new(), f64::NAN)
+    }
 }
 
-pub(super) static KEYS: &[Key<Circuit>] = &[
+static KEYS: &[Key<Circuit>] = &[
     Key::text(
         "patch",
         Kind::Reference { what: "a patch" },

@@ -1,20 +1,24 @@
 //! `[device.NAME]`
 
-use crate::key::{Key, Kind, Range, Slot};
+use crate::key::{Key, Keyed, Kind, Range, Slot};
 use crate::{Device, Quantity};
 
-pub(super) fn blank() -> Device {
-    Device {
-        sleep_a: f64::NAN,
-        measure_a: None,
-        measure_s: None,
-        send_a: None,
-        send_s: None,
-        period_s: None,
+impl Keyed for Device {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Self {
+            sleep_a: f64::NAN,
+            measure_a: None,
+            measure_s: None,
+            send_a: None,
+            send_s: None,
+            period_s: None,
+        }
     }
 }
 
-pub(super) static KEYS: &[Key<Device>] = &[
+static KEYS: &[Key<Device>] = &[
     Key::quantity(
         "sleep_current",
         Quantity::Current,

@@ -1,6 +1,6 @@
 //! `[drive.NAME]`
 
-use crate::key::{Key, Kind, Range, Slot};
+use crate::key::{Key, Keyed, Kind, Range, Slot};
 use crate::{Drive, DriveKind, DriveSignal, GROUND, Quantity};
 
 use super::FREQUENCY_LIMITS_HZ;
@@ -26,15 +26,19 @@ const FREQUENCIES: Range = Range::from(FREQUENCY_LIMITS_HZ.0, FREQUENCY_LIMITS_H
 /// Largest seed: a double represents every integer up to this value exactly.
 const MAX_SEED: f64 = 9_007_199_254_740_991.0;
 
-pub(super) fn blank() -> Drive {
-    Drive {
-        at: String::new(),
-        kind: DriveKind::Force,
-        signal: blank_signal("sine"),
+impl Keyed for Drive {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Self {
+            at: String::new(),
+            kind: DriveKind::Force,
+            signal: blank_signal("sine"),
+        }
     }
 }
 
-pub(super) static KEYS: &[Key<Drive>] = &[
+static KEYS: &[Key<Drive>] = &[
     Key::text("kind", Kind::Choice(KINDS), "prescribed quantity", |d: &Drive| kind_word(d.kind).to_owned(), |d, x| d.kind = kind(x))
         .optional(),
     Key::text(

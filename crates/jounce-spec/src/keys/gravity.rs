@@ -1,9 +1,17 @@
 //! `[gravity]`
 
-use crate::key::{Key, Kind, Slot};
+use crate::key::{Key, Keyed, Kind, Slot};
 use crate::{Gravity, Quantity};
 
-pub(super) static KEYS: &[Key<Gravity>] = &[Key::with_slot(
+impl Keyed for Gravity {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Self::default()
+    }
+}
+
+static KEYS: &[Key<Gravity>] = &[Key::with_slot(
     "acceleration",
     Kind::Quantity(Quantity::Acceleration),
     "acceleration of gravity along the positive direction of motion; negative if it acts in the opposite direction",

@@ -2,27 +2,31 @@
 
 use super::patch::section_word;
 use super::plate::POISSON;
-use crate::key::{Key, Kind, Range, Slot};
+use crate::key::{Key, Keyed, Kind, Range, Slot};
 use crate::material;
 use crate::{Face, Layer, OnPlate, Quantity, Section};
 
-pub(super) fn blank() -> Layer {
-    Layer {
-        on: String::new(),
-        face: Face::default(),
-        material: String::new(),
-        start_m: 0.0,
-        length_m: f64::NAN,
-        width_m: f64::NAN,
-        thickness_m: f64::NAN,
-        youngs_modulus_pa: f64::NAN,
-        density_kg_m3: 0.0,
-        section: Section::default(),
-        on_plate: OnPlate::default(),
+impl Keyed for Layer {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Self {
+            on: String::new(),
+            face: Face::default(),
+            material: String::new(),
+            start_m: 0.0,
+            length_m: f64::NAN,
+            width_m: f64::NAN,
+            thickness_m: f64::NAN,
+            youngs_modulus_pa: f64::NAN,
+            density_kg_m3: 0.0,
+            section: Section::default(),
+            on_plate: OnPlate::default(),
+        }
     }
 }
 
-pub(super) static KEYS: &[Key<Layer>] = &[
+static KEYS: &[Key<Layer>] = &[
     Key::text(
         "on",
         Kind::Reference { what: "a beam or a plate" },

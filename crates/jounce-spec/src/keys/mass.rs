@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::key::{Key, Range, Slot};
+use crate::key::{Key, Keyed, Range, Slot};
 use crate::{Mass, Quantity};
 
 use super::FREQUENCY_LIMITS_HZ;
@@ -12,19 +12,23 @@ use crate::key::Kind;
 
 const SPRING: &[&str] = &["frequency", "stiffness"];
 
-pub(super) fn blank() -> Mass {
-    Mass {
-        on: "ground".to_owned(),
-        mass_kg: f64::NAN,
-        rotary_inertia_kg_m2: 0.0,
-        stiffness_n_m: None,
-        damping_ratio: None,
-        velocity_m_s: None,
-        friction_n_s_m: None,
+impl Keyed for Mass {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Self {
+            on: "ground".to_owned(),
+            mass_kg: f64::NAN,
+            rotary_inertia_kg_m2: 0.0,
+            stiffness_n_m: None,
+            damping_ratio: None,
+            velocity_m_s: None,
+            friction_n_s_m: None,
+        }
     }
 }
 
-pub(super) static KEYS: &[Key<Mass>] = &[
+static KEYS: &[Key<Mass>] = &[
     Key::text(
         "on",
         Kind::Reference { what: "a mass or a point of a beam or a plate, or \"ground\", another base or \"nothing\"" },

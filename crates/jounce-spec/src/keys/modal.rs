@@ -2,31 +2,39 @@
 
 use std::collections::BTreeMap;
 
-use crate::key::{Key, Kind, Named, Range, Slot};
+use crate::key::{Key, Keyed, Kind, Range, Slot};
 use crate::{Electrodes, Modal, ModalPatch, Quantity};
 
 use super::{FREQUENCY_LIMITS_HZ, electrodes};
 
-pub(super) fn blank() -> Modal {
-    Modal {
-        frequency_hz: Vec::new(),
-        damping_ratio: Vec::new(),
-        participation_sqrt_kg: Vec::new(),
-        point: BTreeMap::new(),
-        patch: BTreeMap::new(),
+impl Keyed for Modal {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Self {
+            frequency_hz: Vec::new(),
+            damping_ratio: Vec::new(),
+            participation_sqrt_kg: Vec::new(),
+            point: BTreeMap::new(),
+            patch: BTreeMap::new(),
+        }
     }
 }
 
-fn blank_patch() -> ModalPatch {
-    ModalPatch {
-        coupling_n_per_v: Vec::new(),
-        capacitance_f: f64::NAN,
-        leakage_ohm: None,
-        electrodes: Electrodes::default(),
+impl Keyed for ModalPatch {
+    const KEYS: &'static [Key<Self>] = PATCH_KEYS;
+
+    fn blank() -> Self {
+        Self {
+            coupling_n_per_v: Vec::new(),
+            capacitance_f: f64::NAN,
+            leakage_ohm: None,
+            electrodes: Electrodes::default(),
+        }
     }
 }
 
-pub(super) static KEYS: &[Key<Modal>] = &[
+static KEYS: &[Key<Modal>] = &[
     Key::with_slot(
         "frequency_hz",
         Kind::Numbers,
@@ -59,7 +67,7 @@ pub(super) static KEYS: &[Key<Modal>] = &[
         "patch",
         Kind::Things,
         "piezoelectric patches of the structure, `[modal.NAME.patch.PATCH]`",
-        Slot::Inner(&Named { get: |m: &Modal| &m.patch, open: |m| &mut m.patch, blank: blank_patch, keys: PATCH_KEYS }),
+        Slot::Things { get: |m: &Modal| &m.patch, open: |m| &mut m.patch },
     )
     .optional(),
 ];

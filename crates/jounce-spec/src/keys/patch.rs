@@ -1,6 +1,6 @@
 //! `[patch.NAME]`
 
-use crate::key::{Key, Kind, Range, Slot};
+use crate::key::{Key, Keyed, Kind, Range, Slot};
 use crate::material;
 use crate::{
     AcrossFibres, Electrodes, Face, OnPlate, Patch, PatchFoils, PatchPores, Quantity, Section,
@@ -22,30 +22,34 @@ const MAX_COEFFICIENT: f64 = 1e-7;
 /// Largest capacitance, F: a patch of a square metre of thin film has a hundredth of it.
 const MAX_CAPACITANCE: f64 = 1.0;
 
-pub(super) fn blank() -> Patch {
-    Patch {
-        on: String::new(),
-        face: Face::default(),
-        material: String::new(),
-        start_m: f64::NAN,
-        length_m: f64::NAN,
-        width_m: f64::NAN,
-        thickness_m: f64::NAN,
-        youngs_modulus_pa: f64::NAN,
-        density_kg_m3: 0.0,
-        d31_m_per_v: None,
-        d33_m_per_v: None,
-        electrode_spacing_m: None,
-        capacitance_f: None,
-        permittivity_f_m: None,
-        strain_limit: None,
-        leakage_ohm: None,
-        electrodes: Electrodes::default(),
-        section: Section::default(),
-        pores: PatchPores::default(),
-        foils: PatchFoils::default(),
-        on_plate: OnPlate::default(),
-        across: AcrossFibres::default(),
+impl Keyed for Patch {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Self {
+            on: String::new(),
+            face: Face::default(),
+            material: String::new(),
+            start_m: f64::NAN,
+            length_m: f64::NAN,
+            width_m: f64::NAN,
+            thickness_m: f64::NAN,
+            youngs_modulus_pa: f64::NAN,
+            density_kg_m3: 0.0,
+            d31_m_per_v: None,
+            d33_m_per_v: None,
+            electrode_spacing_m: None,
+            capacitance_f: None,
+            permittivity_f_m: None,
+            strain_limit: None,
+            leakage_ohm: None,
+            electrodes: Electrodes::default(),
+            section: Section::default(),
+            pores: PatchPores::default(),
+            foils: PatchFoils::default(),
+            on_plate: OnPlate::default(),
+            across: AcrossFibres::default(),
+        }
     }
 }
 
@@ -76,7 +80,7 @@ fn fill(patch: &mut Patch, name: &str) {
     }
 }
 
-pub(super) static KEYS: &[Key<Patch>] = &[
+static KEYS: &[Key<Patch>] = &[
     Key::text(
         "on",
         Kind::Reference { what: "a beam or a plate" },

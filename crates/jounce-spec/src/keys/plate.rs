@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::key::{Key, Kind, Named, Range, Slot};
+use crate::key::{Key, Keyed, Kind, Range, Slot};
 use crate::material;
 use crate::{Edge, Plate, PlatePoint, Quantity};
 
@@ -11,28 +11,36 @@ pub(super) const POISSON: Range = Range::from(0.0, 0.5);
 
 const EDGES: &[&str] = &["clamped", "simply-supported", "free"];
 
-pub(super) fn blank() -> Plate {
-    Plate {
-        material: String::new(),
-        length_m: f64::NAN,
-        width_m: f64::NAN,
-        thickness_m: f64::NAN,
-        youngs_modulus_pa: f64::NAN,
-        poisson_ratio: f64::NAN,
-        density_kg_m3: f64::NAN,
-        on: "ground".to_owned(),
-        left: Edge::default(),
-        right: Edge::default(),
-        front: Edge::default(),
-        back: Edge::default(),
-        point: BTreeMap::new(),
+impl Keyed for Plate {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Self {
+            material: String::new(),
+            length_m: f64::NAN,
+            width_m: f64::NAN,
+            thickness_m: f64::NAN,
+            youngs_modulus_pa: f64::NAN,
+            poisson_ratio: f64::NAN,
+            density_kg_m3: f64::NAN,
+            on: "ground".to_owned(),
+            left: Edge::default(),
+            right: Edge::default(),
+            front: Edge::default(),
+            back: Edge::default(),
+            point: BTreeMap::new(),
+        }
     }
 }
 
-fn blank_point() -> PlatePoint {
-    PlatePoint {
-        x_m: f64::NAN,
-        y_m: f64::NAN,
+impl Keyed for PlatePoint {
+    const KEYS: &'static [Key<Self>] = POINT_KEYS;
+
+    fn blank() -> Self {
+        Self {
+            x_m: f64::NAN,
+            y_m: f64::NAN,
+        }
     }
 }
 
@@ -62,7 +70,7 @@ const fn edge_key(
     Key::text(name, Kind::Choice(EDGES), doc, get, set).optional()
 }
 
-pub(super) static KEYS: &[Key<Plate>] = &[
+static KEYS: &[Key<Plate>] = &[
     Key::text(
         "material",
         Kind::Choice(material::STRUCTURAL),
@@ -166,12 +174,10 @@ pub(super) static KEYS: &[Key<Plate>] = &[
         "point",
         Kind::Things,
         "named points, `[plate.NAME.point.POINT]`",
-        Slot::Inner(&Named {
+        Slot::Things {
             get: |p: &Plate| &p.point,
             open: |p| &mut p.point,
-            blank: blank_point,
-            keys: POINT_KEYS,
-        }),
+        },
     )
     .optional(),
 ];

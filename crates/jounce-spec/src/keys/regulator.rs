@@ -1,21 +1,25 @@
 //! `[regulator.NAME]`
 
-use crate::key::{Key, Kind, Range};
+use crate::key::{Key, Keyed, Kind, Range};
 use crate::{CHIPS, Chip, Quantity, Regulator};
 
-pub(super) fn blank() -> Regulator {
-    Regulator {
-        chip: String::new(),
-        start_v: f64::NAN,
-        stop_v: f64::NAN,
-        output_v: f64::NAN,
-        efficiency: f64::NAN,
-        idle_a: f64::NAN,
-        quiescent_a: f64::NAN,
+impl Keyed for Regulator {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Self {
+            chip: String::new(),
+            start_v: f64::NAN,
+            stop_v: f64::NAN,
+            output_v: f64::NAN,
+            efficiency: f64::NAN,
+            idle_a: f64::NAN,
+            quiescent_a: f64::NAN,
+        }
     }
 }
 
-pub(super) static KEYS: &[Key<Regulator>] = &[
+static KEYS: &[Key<Regulator>] = &[
     Key::text(
         "chip",
         Kind::Choice(CHIPS),

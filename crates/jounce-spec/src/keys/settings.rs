@@ -1,9 +1,17 @@
 //! `[damping]`, `[reduction]` and `[run]`
 
-use crate::key::{Key, Kind, Range, Slot};
+use crate::key::{Key, Keyed, Kind, Range, Slot};
 use crate::{Damping, Quantity, Reduction, Run, Start};
 
-pub(super) static DAMPING: &[Key<Damping>] = &[
+impl Keyed for Damping {
+    const KEYS: &'static [Key<Self>] = DAMPING;
+
+    fn blank() -> Self {
+        Self::default()
+    }
+}
+
+static DAMPING: &[Key<Damping>] = &[
     Key::with_slot(
         "ratios",
         Kind::Numbers,
@@ -28,7 +36,15 @@ pub(super) static DAMPING: &[Key<Damping>] = &[
     .optional(),
 ];
 
-pub(super) static REDUCTION: &[Key<Reduction>] = &[
+impl Keyed for Reduction {
+    const KEYS: &'static [Key<Self>] = REDUCTION;
+
+    fn blank() -> Self {
+        Self::default()
+    }
+}
+
+static REDUCTION: &[Key<Reduction>] = &[
     Key::with_slot(
         "modes",
         Kind::Count,
@@ -50,7 +66,15 @@ pub(super) static REDUCTION: &[Key<Reduction>] = &[
     .optional(),
 ];
 
-pub(super) static RUN: &[Key<Run>] = &[
+impl Keyed for Run {
+    const KEYS: &'static [Key<Self>] = RUN;
+
+    fn blank() -> Self {
+        Self::default()
+    }
+}
+
+static RUN: &[Key<Run>] = &[
     Key::text(
         "start",
         Kind::ChoiceOrPath(&["rest", "linear"]),

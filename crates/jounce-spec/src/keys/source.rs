@@ -1,9 +1,17 @@
 //! `[source]`
 
 use crate::Source;
-use crate::key::{Key, Kind, Slot};
+use crate::key::{Key, Keyed, Kind, Slot};
 
-pub(super) static KEYS: &[Key<Source>] = &[Key::with_slot(
+impl Keyed for Source {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Self::default()
+    }
+}
+
+static KEYS: &[Key<Source>] = &[Key::with_slot(
     "publications",
     Kind::References {
         what: "publications",

@@ -6,7 +6,7 @@ use super::stop_law::{
     set_stiffness, stiffness,
 };
 use crate::hertz::HERTZ_EXPONENT;
-use crate::key::{Key, Kind, Range, Slot};
+use crate::key::{Key, Keyed, Kind, Range, Slot};
 use crate::material;
 use crate::{ForceTable, Quantity, Side, Stop, StopLaw};
 
@@ -28,22 +28,26 @@ const PENETRATION: &[&str] = &["penetration_m", "penetration", "file"];
 const FORCE: &[&str] = &["force_n", "force", "file"];
 const LINEAR_LAWS: &[&str] = &["spring", "kelvin-voigt"];
 
-pub(super) fn blank() -> Stop {
-    Stop {
-        at: String::new(),
-        frame: "ground".to_owned(),
-        side: Side::default(),
-        gap_m: f64::NAN,
-        law: StopLaw::Hertz {
-            stiffness: f64::NAN,
-            exponent: HERTZ_EXPONENT,
-        },
-        bodies: None,
-        table: ForceTable::default(),
+impl Keyed for Stop {
+    const KEYS: &'static [Key<Self>] = KEYS;
+
+    fn blank() -> Self {
+        Self {
+            at: String::new(),
+            frame: "ground".to_owned(),
+            side: Side::default(),
+            gap_m: f64::NAN,
+            law: StopLaw::Hertz {
+                stiffness: f64::NAN,
+                exponent: HERTZ_EXPONENT,
+            },
+            bodies: None,
+            table: ForceTable::default(),
+        }
     }
 }
 
-pub(super) static KEYS: &[Key<Stop>] = &[
+static KEYS: &[Key<Stop>] = &[
     Key::text(
         "at",
         Kind::Reference { what: "a point or mass" },

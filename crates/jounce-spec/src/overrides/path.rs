@@ -2,7 +2,6 @@
 
 use crate::Spec;
 use crate::key::{KeyInfo, Kind, Row, rows};
-use crate::keys::SPEC;
 use crate::nearest::{clip, join_words, nearest};
 use crate::numeric_key::{beyond, list_index};
 use crate::read::join;
@@ -13,7 +12,7 @@ const MAX_COMPARED_PATHS: usize = 5000;
 
 /// True for the path of a table: of settings, of elements, of one element, or of named values.
 pub(super) fn is_table(path: &[String]) -> bool {
-    is_table_in(&rows(SPEC, Spec::default), path)
+    is_table_in(&rows(&Spec::default()), path)
 }
 
 fn is_table_in(rows: &[Row], path: &[String]) -> bool {
@@ -33,7 +32,7 @@ fn is_table_in(rows: &[Row], path: &[String]) -> bool {
 
 /// Returns the keys that the key at a path excludes, from every rule of its table that names it.
 pub(super) fn excluded(path: &[String]) -> Vec<&'static str> {
-    excluded_in(&rows(SPEC, Spec::default), path)
+    excluded_in(&rows(&Spec::default()), path)
 }
 
 fn excluded_in(rows: &[Row], path: &[String]) -> Vec<&'static str> {
@@ -60,7 +59,7 @@ fn excluded_in(rows: &[Row], path: &[String]) -> Vec<&'static str> {
 
 /// Returns the key at a path if the elements on the path exist in the file.
 pub(crate) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
-    let top = rows(SPEC, Spec::default);
+    let top = rows(&Spec::default());
     let segments: Vec<&str> = key.split('.').collect();
     walk(&top, Some(root), &segments, "").map_err(|path_error| {
         let reason = match path_error {
@@ -69,23 +68,23 @@ pub(crate) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
         };
         let mut known = Vec::new();
         paths(&top, Some(root), "", &mut known);
-        let names = || known.iter().map(String::as_str);
-        let suggestion = nearest(key, names())
-            .or_else(|| with_parts(&segments, names()))
+        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+        let suggestion = nearest(key, &known)
+            .or_else(|| with_parts(&segments, &known))
             .map(|near| format!("; the nearest key here is `{near}`"));
         format!("{}: {reason}{}", clip(key), suggestion.unwrap_or_default())
     })
 }
 
 /// Returns the only path that has these parts in their order, as `stop.tip.gap` for `stop.gap`.
-fn with_parts<'k>(parts: &[&str], paths: impl Iterator<Item = &'k str>) -> Option<&'k str> {
-    let has_parts = |path: &&str| {
+fn with_parts<'k>(parts: &[&str], paths: &[&'k str]) -> Option<&'k str> {
+    let has_parts = |path: &&&str| {
         let mut of_path = path.split('.');
         let mut found = parts.iter().map(|part| of_path.any(|other| other == *part));
         path.ends_with(parts[parts.len() - 1]) && found.all(|is_found| is_found)
     };
-    let mut matches = paths.filter(has_parts);
-    let first = matches.next()?;
+    let mut matches = paths.iter().filter(has_parts);
+    let first = *matches.next()?;
     matches.next().is_none().then_some(first)
 }
 
@@ -118,14 +117,14 @@ fn walk(
     let Some((name, rest)) = path.split_first() else {
         return Err(format!(
             "{walked} is a table; its keys: {}",
-            join_words(rows.iter().map(|row| row.info.name))
+            join_words(&names(rows))
         )
         .into());
     };
     let Some(row) = rows.iter().find(|row| row.info.name == *name) else {
         return Err(format!(
             "unknown key; keys {parent_path}: {}",
-            join_words(rows.iter().map(|row| row.info.name))
+            join_words(&names(rows))
         )
         .into());
     };
@@ -163,10 +162,15 @@ fn walk(
     }
 }
 
+fn names(rows: &[Row]) -> Vec<&'static str> {
+    rows.iter().map(|row| row.info.name).collect()
+}
+
 /// Describes a missing element, with those of the file.
 fn no_element(walked: &str, element: &str, below: Option<&Node>) -> String {
     let entries = below.and_then(Node::entries).unwrap_or_default();
-    let mut names = join_words(entries.iter().map(|entry| entry.name.as_str()));
+    let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
+    let mut names = join_words(&names);
     if names.is_empty() {
         "none".clone_into(&mut names);
     }

@@ -5,7 +5,7 @@
 
 use super::value::{read_number, read_slot};
 use super::{ReadState, join};
-use crate::key::{Key, Range, Slot};
+use crate::key::{Element, KeyInfo, Range, ValueMut};
 use crate::nearest::join_words;
 use crate::source::Entry;
 
@@ -35,18 +35,15 @@ impl RowVerdict {
 }
 
 /// Reports the faults of a value of a key whose rows all depend on the choice `on`.
-pub(super) fn check<T>(
-    keys: &[Key<T>],
+pub(super) fn check(
     on: &str,
     path: &str,
     entry: &Entry,
-    element: &mut T,
+    element: &mut dyn Element,
     reading: &mut ReadState,
 ) {
-    let rows: Vec<&Key<T>> = keys
-        .iter()
-        .filter(|key| key.info.name == entry.name)
-        .collect();
+    let keys = element.keys();
+    let rows: Vec<_> = keys.filter(|(_, info)| info.name == entry.name).collect();
     let path = join(path, &entry.name);
     reading.positions.insert(path.clone(), entry.node.position);
     if let [row] = rows[..] {
@@ -55,15 +52,15 @@ pub(super) fn check<T>(
     }
     let verdicts: Vec<RowVerdict> = rows
         .iter()
-        .map(|row| verdict(row, entry, element))
+        .map(|row| verdict(*row, entry, element))
         .collect();
     let good = rows
         .iter()
         .zip(&verdicts)
         .filter(|(_, verdict)| matches!(verdict, RowVerdict::Good))
-        .map(|(row, _)| row);
+        .map(|((_, info), _)| info);
     let words: Vec<&str> = good
-        .filter_map(|row| row.info.when)
+        .filter_map(|info| info.when)
         .flat_map(|when| when.is.iter().copied())
         .collect();
     let mut kinds: Vec<&str> = verdicts.iter().filter_map(RowVerdict::kind).collect();
@@ -73,7 +70,7 @@ pub(super) fn check<T>(
             reading.fault(entry.node.position, &path, || text.to_owned())
         }
         Some(text) => reading.fault(entry.node.position, &path, || {
-            format!("{text}, except with {on} = {}", join_words(words))
+            format!("{text}, except with {on} = {}", join_words(&words))
         }),
         None if words.is_empty() => {
             reading.fault(entry.node.position, &path, || kinds.join("; or "))
@@ -82,17 +79,18 @@ pub(super) fn check<T>(
     }
 }
 
-fn verdict<T>(row: &Key<T>, entry: &Entry, element: &T) -> RowVerdict {
-    if !matches!(
-        row.slot,
-        Slot::Number { .. } | Slot::Optional { .. } | Slot::Derived { .. } | Slot::Count { .. }
-    ) {
+fn verdict(
+    (index, info): (usize, &KeyInfo),
+    entry: &Entry,
+    element: &mut dyn Element,
+) -> RowVerdict {
+    if !matches!(element.open(index), ValueMut::Number) {
         return RowVerdict::Good;
     }
-    let kind = row.kind_in(element);
+    let kind = element.kind(index, info);
     match (
         read_number(kind, Range::ANY, &entry.node),
-        read_number(kind, row.info.range, &entry.node),
+        read_number(kind, info.range, &entry.node),
     ) {
         (_, Ok(_)) => RowVerdict::Good,
         (Ok(_), Err(text)) => RowVerdict::Size(text),

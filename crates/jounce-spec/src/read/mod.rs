@@ -52,15 +52,15 @@ impl ReadState {
         text: impl FnOnce() -> String,
     ) {
         if self.has_room() {
-            self.add(position, key, &text());
+            self.add(position, key, text());
         }
     }
 
-    fn add(&mut self, position: SourcePlace, key: &str, text: &str) {
+    fn add(&mut self, position: SourcePlace, key: &str, text: String) {
         self.found.push(ReadFault {
             position,
             key: key.to_owned(),
-            message: super::nearest::sentence(key, text),
+            message: super::nearest::sentence(key, &text),
         });
     }
 

@@ -2,17 +2,16 @@
 
 use super::value::read_slot;
 use super::{ReadState, join, missing_choice};
-use crate::key::{Key, KeyInfo, Kind, Need, Slot, applies, chosen};
+use crate::key::{Element, KeyInfo, Kind, Need, ValueRef};
 use crate::nearest::{clip, did_you_mean, join_words, nearest};
 use crate::source::{Entry, Node};
 
 /// Reads a table of keys into an element. Choices precede the keys that depend on them in the table
 /// of keys.
-pub(crate) fn read_keys<T>(
-    keys: &'static [Key<T>],
+pub(crate) fn read_keys(
     path: &str,
     node: &Node,
-    element: &mut T,
+    element: &mut dyn Element,
     reading: &mut ReadState,
 ) {
     let Some(entries) = node.entries() else {
@@ -23,74 +22,70 @@ pub(crate) fn read_keys<T>(
             )
         });
     };
-    let infos: Vec<&KeyInfo> = keys.iter().map(|key| &key.info).collect();
-    reading.misspelt.extend(misspelt(&infos, path, entries));
+    let infos: Vec<&KeyInfo> = element.keys().map(|(_, info)| info).collect();
+    let names: Vec<&str> = infos.iter().map(|info| info.name).collect();
+    reading.misspelt.extend(misspelt(&names, path, entries));
     let mut doubtful: Vec<&str> = Vec::new();
-    for (index, key) in keys.iter().enumerate() {
-        let info = &key.info;
+    for (index, info) in infos.iter().copied().enumerate() {
         if let Some(choice) = info
             .when
             .map(|when| when.key)
             .filter(|choice| doubtful.contains(choice))
         {
-            if infos[..index].iter().all(|other| other.name != info.name)
+            if !names[..index].contains(&info.name)
                 && let Some(entry) = entries.iter().find(|entry| entry.name == info.name)
             {
-                missing_choice::check(keys, choice, path, entry, element, reading);
+                missing_choice::check(choice, path, entry, element, reading);
             }
             continue;
         }
-        let unmeasured = key.quantity.as_ref().is_some_and(|measure| {
-            doubtful.contains(&measure.by) || (measure.quantity)(element).is_none()
+        let unmeasured = info.measured_by.is_some_and(|by| {
+            doubtful.contains(&by) || element.dependent_quantity(index).is_none()
         });
-        if unmeasured || !applies(keys, element, info) {
+        if unmeasured || !element.applies(info) {
             continue;
         }
         let Some(entry) = entries.iter().find(|entry| entry.name == info.name) else {
-            if missing(&infos, info, path, node, reading) {
+            if missing(&names, info, path, node, reading) {
                 doubtful.push(info.name);
             }
             continue;
         };
-        if let Slot::DerivedNumbers { of, .. } = key.slot {
+        if let ValueRef::DerivedNumbers { of, .. } = element.get(index) {
             let stored = join(path, of);
             reading.written_as.insert(stored, join(path, info.name));
         }
         let path = join(path, info.name);
         reading.positions.insert(path.clone(), entry.node.position);
-        if let Slot::Inner(inner) = &key.slot {
-            inner.read(element, &path, &entry.node, reading);
-        } else if !read_slot(key, &path, &entry.node, element, reading) {
+        if !read_slot((index, info), &path, &entry.node, element, reading) {
             doubtful.push(info.name);
         }
     }
     let applicable: Vec<&KeyInfo> = (infos.iter().copied())
-        .filter(|info| applies(keys, element, info))
+        .filter(|info| element.applies(info))
         .collect();
     for entry in entries {
         if reading.has_room() {
             let all = [&infos[..], &applicable];
-            let chosen = |choice: &str| chosen(keys, element, choice).unwrap_or_default();
-            check_known(all, path, entry, &chosen, &doubtful, reading);
+            check_known(all, path, entry, element, &doubtful, reading);
         }
     }
     check_alternatives(&applicable, path, entries, reading);
 }
 
 /// Returns the dotted paths of the keys that unknown keys of a table probably mean.
-fn misspelt(infos: &[&KeyInfo], path: &str, entries: &[Entry]) -> Vec<String> {
-    let names = || infos.iter().map(|info| info.name);
+fn misspelt(names: &[&str], path: &str, entries: &[Entry]) -> Vec<String> {
     let unknown = entries
         .iter()
-        .filter(|entry| names().all(|name| name != entry.name));
-    let meant = unknown.filter_map(|entry| nearest(&entry.name, names()));
+        .filter(|entry| !names.contains(&entry.name.as_str()));
+    let meant = unknown.filter_map(|entry| nearest(&entry.name, names));
     meant.map(|meant| join(path, meant)).collect()
 }
 
 /// Reports a required key that is absent, unless a misspelt key replaces it; true if one is
 /// missing.
 fn missing(
-    infos: &[&KeyInfo],
+    names: &[&str],
     info: &KeyInfo,
     path: &str,
     node: &Node,
@@ -117,15 +112,14 @@ fn missing(
         Need::Required => true,
         Need::OneOf(names) => names.first() == Some(&info.name) && !names.iter().any(stands),
     };
-    let names = || infos.iter().map(|info| info.name);
     let misspelt = |entry: &Entry| {
-        let meant = nearest(&entry.name, names());
+        let meant = nearest(&entry.name, names);
         let replaces = |meant: &str| {
             meant == info.name
                 || info.unless == Some(meant)
                 || info.need.alternatives().contains(&meant)
         };
-        names().all(|name| name != entry.name) && meant.is_some_and(replaces)
+        !names.contains(&entry.name.as_str()) && meant.is_some_and(replaces)
     };
     let is_elsewhere = reading.is_below_misspelt(path);
     if must
@@ -144,7 +138,7 @@ fn check_known(
     [infos, applicable]: [&[&KeyInfo]; 2],
     path: &str,
     entry: &Entry,
-    chosen: &dyn Fn(&str) -> String,
+    element: &dyn Element,
     doubtful: &[&str],
     reading: &mut ReadState,
 ) {
@@ -155,8 +149,8 @@ fn check_known(
         return reading.fault(entry.position, &key, || {
             format!(
                 "unknown key{}; keys here: {}",
-                did_you_mean(&entry.name, names.iter().copied()),
-                join_words(names.iter().copied())
+                did_you_mean(&entry.name, &names),
+                join_words(&names)
             )
         });
     }
@@ -178,8 +172,8 @@ fn check_known(
         format!(
             "does not apply with {} = \"{}\", only with {}",
             when.key,
-            chosen(when.key),
-            join_words(words.iter().copied())
+            element.chosen(when.key).unwrap_or_default(),
+            join_words(&words)
         )
     });
 }

@@ -1,47 +1,41 @@
 //! Reading of values: kind and limits.
 
-use super::{ReadState, read_named};
-use crate::key::{Key, KeyInfo, Kind, Need, Range, Slot};
+use super::{ReadState, read_keys, read_named};
+use crate::key::{Element, KeyInfo, Kind, Need, Range, ValueMut};
 use crate::nearest::{clip, did_you_mean, sentence};
 use crate::source::{Node, Value};
 
 /// Reads the value of one key; false if it is wrong.
-pub(super) fn read_slot<T>(
-    key: &Key<T>,
+pub(super) fn read_slot(
+    (index, info): (usize, &KeyInfo),
     path: &str,
     node: &Node,
-    element: &mut T,
+    element: &mut dyn Element,
     reading: &mut ReadState,
 ) -> bool {
-    let kind = key.kind_in(element);
-    let range = key.info.range;
-    match &key.slot {
-        Slot::Number { set, .. } | Slot::Derived { set, .. } | Slot::Optional { set, .. } => {
+    let kind = element.kind(index, info);
+    let range = info.range;
+    match element.open(index) {
+        ValueMut::Number => {
             // A hole instead of the default, so rules between keys do not report a value that was
-            // not intended.
+            // not intended; 0 for a whole number.
             let number = one_number(kind, range, path, node, reading);
-            set(element, number.unwrap_or(f64::NAN));
-            number.is_some()
+            element.set_number(index, number.unwrap_or(f64::NAN));
+            return number.is_some();
         }
-        Slot::Count { set, .. } => {
-            let number = one_number(kind, range, path, node, reading);
-            set(element, number.map_or(0, |value| value as usize));
-            number.is_some()
+        ValueMut::Text => {
+            let text = text(info, path, node, reading);
+            return text.map(|text| element.set_text(index, text)).is_some();
         }
-        Slot::Text { set, .. } => {
-            let text = text(&key.info, path, node, reading);
-            text.map(|text| set(element, text)).is_some()
+        ValueMut::Texts(open) => {
+            let list = texts(info, path, node, reading);
+            return list.map(|list| *open = list).is_some();
         }
-        Slot::Texts { open, .. } => {
-            let list = texts(&key.info, path, node, reading);
-            list.map(|list| *open(element) = list).is_some()
+        ValueMut::Numbers(open) => {
+            let list = numbers(info, path, node, reading);
+            return list.map(|list| *open = list).is_some();
         }
-        Slot::Numbers { open, .. } | Slot::DerivedNumbers { open, .. } => {
-            let list = numbers(&key.info, path, node, reading);
-            list.map(|list| *open(element) = list).is_some()
-        }
-        Slot::NamedQuantities { open, .. } => {
-            let map = open(element);
+        ValueMut::NamedQuantities(map) => {
             read_named(
                 path,
                 node,
@@ -54,25 +48,34 @@ pub(super) fn read_slot<T>(
                     map.insert(name.to_owned(), value);
                 },
             );
-            true
         }
-        Slot::NamedNumbers { open, .. } => {
-            let map = open(element);
+        ValueMut::NamedNumbers(map) => {
             read_named(
                 path,
                 node,
                 kind,
                 reading,
                 &mut |name, path, node, reading| {
-                    let list = numbers(&key.info, path, node, reading).unwrap_or_default();
+                    let list = numbers(info, path, node, reading).unwrap_or_default();
                     reading.positions.insert(path.to_owned(), node.position);
                     map.insert(name.to_owned(), list);
                 },
             );
-            true
         }
-        Slot::Inner(_) => true,
+        ValueMut::Table(inner) => read_keys(path, node, inner, reading),
+        ValueMut::Things(inner) => {
+            read_named(
+                path,
+                node,
+                kind,
+                reading,
+                &mut |name, path, node, reading| {
+                    read_keys(path, node, inner.open(name), reading);
+                },
+            );
+        }
     }
+    true
 }
 
 fn one_number(
@@ -136,7 +139,7 @@ fn text<'n>(
 ) -> Option<&'n str> {
     let wrong = match (&node.value, info.kind) {
         (Value::Text(text), Kind::Choice(words)) if !words.contains(&text.as_str()) => {
-            let suggestion = did_you_mean(text, words.iter().copied());
+            let suggestion = did_you_mean(text, words);
             format!(
                 "\"{}\" is not known{suggestion}; {}",
                 clip(text),
@@ -146,7 +149,7 @@ fn text<'n>(
         (Value::Text(text), Kind::ChoiceOrPath(words))
             if !words.contains(&text.as_str()) && !text.contains(['.', '/', '\\']) =>
         {
-            let suggestion = did_you_mean(text, words.iter().copied());
+            let suggestion = did_you_mean(text, words);
             format!(
                 "\"{}\" is not known{suggestion}; {}",
                 clip(text),

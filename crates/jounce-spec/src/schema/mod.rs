@@ -6,7 +6,6 @@ mod pattern;
 mod rules;
 
 use super::key::{Kind, Need, Range, Row, rows};
-use super::keys::SPEC;
 use super::{Quantity, Spec};
 use pattern::pattern;
 use rules::rules;
@@ -20,7 +19,7 @@ const NAME: &str = "^[A-Za-z0-9_-]+$";
 /// It cannot check references, limits of quantities other than their sign, units with operators
 /// and rules between elements; [`Spec::from_toml`] checks those.
 pub fn schema() -> Value {
-    let top = rows(SPEC, Spec::default);
+    let top = rows(&Spec::default());
     let mut schema = table(&top);
     schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
     schema["title"] = json!("jounce spec");
@@ -68,7 +67,7 @@ fn property(row: &Row) -> Value {
     let info = &row.info;
     let mut property = match info.kind {
         Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) => {
-            let kind = row.by.is_none().then_some(quantity);
+            let kind = row.info.measured_by.is_none().then_some(quantity);
             let value = json!({ "type": "string", "pattern": pattern(&info.range, kind) });
             if matches!(info.kind, Kind::Quantity(_)) {
                 value

@@ -118,7 +118,9 @@ fn quantities(choice: &str, word: &str, rows: &[Row], present: &[&Row]) -> Map<S
         let is_present = present.iter().any(|other| std::ptr::eq(*other, row));
         let quantity = match row.info.kind {
             Kind::Quantity(_) if by_word.is_some() => by_word,
-            Kind::Quantity(quantity) if is_repeated && is_present && row.by.is_none() => {
+            Kind::Quantity(quantity)
+                if is_repeated && is_present && row.info.measured_by.is_none() =>
+            {
                 Some(quantity)
             }
             _ => continue,

@@ -66,11 +66,12 @@ impl Starter {
     /// # Errors
     /// The kind is unknown; the error names the nearest one.
     pub fn of(kind: &str) -> Result<&'static Self, UnknownKind> {
-        let kinds = || STARTERS.iter().map(|starter| starter.kind);
         // A part of a name, such as "bimorph", matches that name.
         let suggestion = || {
-            nearest(kind, kinds())
-                .or_else(|| kinds().find(|known| kind.len() > 2 && known.contains(kind)))
+            let kinds: Vec<&str> = STARTERS.iter().map(|starter| starter.kind).collect();
+            let mut known = kinds.iter().copied();
+            nearest(kind, &kinds)
+                .or_else(|| known.find(|known| kind.len() > 2 && known.contains(kind)))
         };
         STARTERS
             .iter()

@@ -23,8 +23,10 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
         };
         for (patch, _) in circuit.connections() {
             if !has_patch(spec, patch) {
-                let words = || known.iter().map(String::as_str);
-                faults.push(key, || unknown("patch", patch, "patches", words));
+                faults.push(key, || {
+                    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+                    unknown("patch", patch, "patches", &known)
+                });
             } else if circuit_of.get(patch) == Some(&name.as_str()) {
                 faults.push(key, || {
                     format!(

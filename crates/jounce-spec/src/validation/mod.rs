@@ -33,12 +33,12 @@ pub(super) struct ValidationFaults {
 impl ValidationFaults {
     fn push(&mut self, key: impl FnOnce() -> String, text: impl FnOnce() -> String) {
         if !self.is_full() {
-            self.add(key(), &text());
+            self.add(key(), text());
         }
     }
 
-    fn add(&mut self, key: String, text: &str) {
-        let message = super::nearest::sentence(&key, text);
+    fn add(&mut self, key: String, text: String) {
+        let message = super::nearest::sentence(&key, &text);
         self.found.push((key, message));
     }
 

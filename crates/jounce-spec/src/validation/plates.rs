@@ -29,9 +29,9 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
 
 fn check_support(spec: &Spec, name: &str, plate: &Plate, faults: &mut ValidationFaults) {
     if !plate.on.is_empty() && !spec.is_base(&plate.on) {
-        let bases = || [GROUND].into_iter().chain(spec.bases());
         let text = || {
-            let unknown = unknown("base", &plate.on, "bases", bases);
+            let bases: Vec<&str> = [GROUND].into_iter().chain(spec.bases()).collect();
+            let unknown = unknown("base", &plate.on, "bases", &bases);
             format!("{unknown}; a plate stands on a base only, not on a mass or a point")
         };
         faults.push(|| format!("plate.{name}.on"), text);

@@ -20,7 +20,7 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
         check_point(
             spec,
             &points,
-            || format!("drive.{name}.at"),
+            &|| format!("drive.{name}.at"),
             &drive.at,
             false,
             faults,
@@ -30,7 +30,7 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
         check_point(
             spec,
             &points,
-            || format!("stop.{name}.at"),
+            &|| format!("stop.{name}.at"),
             &stop.at,
             false,
             faults,
@@ -38,7 +38,7 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
         check_point(
             spec,
             &points,
-            || format!("stop.{name}.frame"),
+            &|| format!("stop.{name}.frame"),
             &stop.frame,
             true,
             faults,
@@ -66,16 +66,12 @@ fn check_carriers(spec: &Spec, faults: &mut ValidationFaults) {
         .chain(layers.map(|(name, layer)| ("layer", name, &layer.on)));
     for (kind, name, on) in on_beams {
         if !on.is_empty() && !spec.beam.contains_key(on) && !spec.plate.contains_key(on) {
-            let carriers = || {
-                spec.beam
-                    .keys()
-                    .chain(spec.plate.keys())
-                    .map(String::as_str)
+            let text = || {
+                let carriers = spec.beam.keys().chain(spec.plate.keys());
+                let carriers: Vec<&str> = carriers.map(String::as_str).collect();
+                unknown("beam or plate", on, "beams and plates", &carriers)
             };
-            faults.push(
-                || format!("{kind}.{name}.on"),
-                || unknown("beam or plate", on, "beams and plates", carriers),
-            );
+            faults.push(|| format!("{kind}.{name}.on"), text);
         }
     }
 }
@@ -142,7 +138,7 @@ fn check_names(spec: &Spec, faults: &mut ValidationFaults) {
 fn check_point<F: FnOnce() -> Vec<String>>(
     spec: &Spec,
     points: &LazyCell<Vec<String>, F>,
-    key: impl FnOnce() -> String,
+    key: &dyn Fn() -> String,
     point: &str,
     ground: bool,
     faults: &mut ValidationFaults,
@@ -154,15 +150,11 @@ fn check_point<F: FnOnce() -> Vec<String>>(
     {
         return;
     }
-    let words = || {
-        [GROUND]
-            .into_iter()
-            .chain(spec.bases())
-            .filter(|_| ground)
-            .chain(points.iter().map(String::as_str))
-    };
     faults.push(key, || {
-        unknown("point or mass", point, "points and masses", words)
+        let bases = [GROUND].into_iter().chain(spec.bases());
+        let mut words: Vec<&str> = bases.filter(|_| ground).collect();
+        words.extend(points.iter().map(String::as_str));
+        unknown("point or mass", point, "points and masses", &words)
     });
 }
 
@@ -222,14 +214,9 @@ pub(super) fn patches(spec: &Spec) -> Vec<String> {
     spec.patch.keys().cloned().chain(modal).collect()
 }
 
-pub(super) fn unknown<'n, I: Iterator<Item = &'n str>>(
-    noun: &str,
-    name: &str,
-    many: &str,
-    known: impl Fn() -> I,
-) -> String {
-    let suggestion = did_you_mean(name, known());
-    let listed = join_words(known());
+pub(super) fn unknown(noun: &str, name: &str, many: &str, known: &[&str]) -> String {
+    let suggestion = did_you_mean(name, known);
+    let listed = join_words(known);
     let listed = if listed.is_empty() {
         format!("this spec has no {}", many.replace(" and ", " or "))
     } else {

@@ -31,18 +31,18 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
 fn check_references(spec: &Spec, name: &str, circuit: &Circuit, faults: &mut ValidationFaults) {
     let (regulator, device) = (&circuit.regulator, &circuit.device);
     if !regulator.is_empty() && !spec.regulator.contains_key(regulator) {
-        let known = || spec.regulator.keys().map(String::as_str);
-        faults.push(
-            || format!("circuit.{name}.regulator"),
-            || unknown("regulator", regulator, "regulators", known),
-        );
+        let text = || {
+            let known: Vec<&str> = spec.regulator.keys().map(String::as_str).collect();
+            unknown("regulator", regulator, "regulators", &known)
+        };
+        faults.push(|| format!("circuit.{name}.regulator"), text);
     }
     if !device.is_empty() && !spec.device.contains_key(device) {
-        let known = || spec.device.keys().map(String::as_str);
-        faults.push(
-            || format!("circuit.{name}.device"),
-            || unknown("device", device, "devices", known),
-        );
+        let text = || {
+            let known: Vec<&str> = spec.device.keys().map(String::as_str).collect();
+            unknown("device", device, "devices", &known)
+        };
+        faults.push(|| format!("circuit.{name}.device"), text);
     }
     let unfit = [
         (

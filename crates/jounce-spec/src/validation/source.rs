@@ -9,12 +9,12 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     let keys = &spec.source.publications;
     for (index, key) in keys.iter().enumerate() {
         if publication(key).is_none() {
-            let known = publications().map(|known| known.key);
             let text = || {
+                let known: Vec<&str> = publications().map(|known| known.key).collect();
                 format!(
                     "\"{}\" is not a publication that jounce knows{}; the page \"Cite and make again\" of the book lists them; name one, or omit the key",
                     clip(key),
-                    did_you_mean(key, known)
+                    did_you_mean(key, &known)
                 )
             };
             faults.push(|| "source.publications".to_owned(), text);

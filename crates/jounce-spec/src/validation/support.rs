@@ -16,7 +16,7 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
         check_support(
             spec,
             &supports,
-            || format!("beam.{name}.root"),
+            &|| format!("beam.{name}.root"),
             &beam.root,
             &[GROUND],
             faults,
@@ -26,7 +26,7 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
         check_support(
             spec,
             &supports,
-            || format!("mass.{name}.on"),
+            &|| format!("mass.{name}.on"),
             &mass.on,
             &[GROUND, NO_SUPPORT],
             faults,
@@ -39,9 +39,9 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
 fn check_support<F: FnOnce() -> Vec<String>>(
     spec: &Spec,
     supports: &LazyCell<Vec<String>, F>,
-    key: impl FnOnce() -> String,
+    key: &dyn Fn() -> String,
     support: &str,
-    words: &[&'static str],
+    words: &[&str],
     faults: &mut ValidationFaults,
 ) {
     let is_on_plate = spec.plate_point(support).is_some();
@@ -63,15 +63,11 @@ fn check_support<F: FnOnce() -> Vec<String>>(
             .is_some_and(|beam| ["root", "end"].contains(&point) || beam.point.contains_key(point)),
     };
     if !is_known && !is_on_plate {
-        let names = || {
-            words
-                .iter()
-                .copied()
-                .chain(spec.bases())
-                .chain(supports.iter().map(String::as_str))
-        };
         faults.push(key, || {
-            unknown("mass or point", support, "possible supports", names)
+            let mut names = words.to_vec();
+            names.extend(spec.bases());
+            names.extend(supports.iter().map(String::as_str));
+            unknown("mass or point", support, "possible supports", &names)
         });
     }
 }

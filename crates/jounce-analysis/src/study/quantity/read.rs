@@ -92,7 +92,7 @@ pub(in crate::study) fn quantity(
         other => {
             let reason = format!(
                 "quantity.command is \"{other}\"{}; it must be one of {}",
-                did_you_mean(other, COMMANDS.iter().copied()),
+                did_you_mean(other, COMMANDS),
                 COMMANDS.join(", ")
             );
             reader.fault("quantity.command", request.span("command"), reason);

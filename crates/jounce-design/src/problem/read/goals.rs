@@ -39,7 +39,7 @@ pub(super) fn goals(reader: &mut FaultCollector, item: Option<&Item>) -> (Vec<Go
                 maximise.and_then(Item::span),
                 format!(
                     "goal.maximise is \"{name}\"{}; it must be one of {all}, or a list of several",
-                    did_you_mean(name, Goal::ALL.map(Goal::name))
+                    did_you_mean(name, &Goal::ALL.map(Goal::name))
                 ),
             ),
         }

@@ -47,9 +47,9 @@ impl<'t> FeatureTable<'t> {
         let is_unknown = |key: &&str| !keys.contains(key);
         let unknown_keys = self.table.iter().map(|(key, _)| key).filter(is_unknown);
         for key in unknown_keys.map(str::to_owned).collect::<Vec<_>>() {
-            let meant = nearest(&key, keys.iter().copied());
+            let meant = nearest(&key, keys);
             self.misspelt.extend(meant.map(str::to_owned));
-            let near = did_you_mean(&key, keys.iter().copied());
+            let near = did_you_mean(&key, keys);
             let keys = keys.join(", ");
             let message = format!("{key} is not a key of features{near}; the keys are {keys}");
             self.fault(&key, message);
