@@ -8,8 +8,8 @@
 //! / |d2P/dp2| / step`. A half-power edge has the error `E |P| / |dP/dp|`, where `E` includes that
 //! of the peak. A stability boundary has the error of the multiplier over its slope, at most the
 //! distance to the farther one of its two neighbouring points. The residual error of Newton's
-//! method is added to each. Where a branch ends inside the range, at a doubling for example, the end
-//! lies within one step of its last point, so its error is the length of the last step.
+//! method is added to each. Where a branch ends or turns inside the range, at a doubling for example,
+//! the edge lies within one step of its last point, so its error is the length of that step.
 
 use super::curve_piece::CurvePiece;
 use super::merge::merged;
@@ -151,9 +151,9 @@ impl<'s> BandwidthSearch<'s> {
             power_error: 2.0 * point.orbit.error_estimate,
             edge: IntervalEdge {
                 parameter: point.parameter,
-                parameter_error: match self.ends_inside_the_range(branch, point) {
-                    true => (points[1].parameter - points[0].parameter).abs(),
-                    false => 0.0,
+                parameter_error: match [self.range.0, self.range.1].contains(&point.parameter) {
+                    true => 0.0,
+                    false => (points[1].parameter - points[0].parameter).abs(),
                 },
                 at: BandLimit::End,
             },
@@ -185,16 +185,6 @@ impl<'s> BandwidthSearch<'s> {
             }
         }
         Some(segment)
-    }
-
-    /// True for an outer point of a branch that ends inside the range.
-    fn ends_inside_the_range(&self, branch: &Branch, point: &BranchPoint) -> bool {
-        let is_outer = [branch.points.first(), branch.points.last()]
-            .into_iter()
-            .flatten()
-            .any(|outer| std::ptr::eq(outer, point));
-        let is_on_edge = [self.range.0, self.range.1].contains(&point.parameter);
-        is_outer && !is_on_edge && !branch.endings.contains(&Termination::Closed)
     }
 
     /// Returns the largest power on some segments, at an end or inside, with its relative error.
@@ -300,7 +290,10 @@ impl<'s> BandwidthSearch<'s> {
         let residual_w =
             zero.value.abs() + (2.0 * piece.orbit(&zero.point)?.error_estimate + error) * half_w;
         let x_error = residual_w / piece.power_slope_w(zero.point.x)?.abs();
-        let parameter_error = piece.parameter_error(&zero.point, x_error)?;
+        // The power passes half between the two points, however flat it is.
+        let parameter_error = piece
+            .parameter_error(&zero.point, x_error)?
+            .min(segment.largest_distance(zero.point.parameter()));
         Some(IntervalEdge {
             parameter: zero.point.parameter(),
             parameter_error,

@@ -10,9 +10,12 @@ pub fn merged(peak: PowerPeak, mut ranges: Vec<BandInterval>) -> Bandwidth {
         match intervals.last_mut() {
             Some(last) if range.from.parameter <= last.to.parameter => {
                 // An edge at a point inside a branch has no known cause; it yields to an edge with
-                // a cause.
+                // a cause. Of two such edges the larger error counts.
                 let knows = |edge: &IntervalEdge, other: &IntervalEdge| {
-                    edge.parameter == other.parameter && other.at == BandLimit::End
+                    edge.parameter == other.parameter
+                        && other.at == BandLimit::End
+                        && (edge.at != BandLimit::End
+                            || edge.parameter_error > other.parameter_error)
                 };
                 if range.to.parameter > last.to.parameter || knows(&range.to, &last.to) {
                     last.to = range.to;
