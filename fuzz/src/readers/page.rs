@@ -36,10 +36,12 @@ pub fn request(data: &[u8]) {
         return;
     };
     match &request.kind {
-        RequestKind::Design => drop((design.drawing("design"), design.controls())),
+        RequestKind::Design { width } => {
+            drop((design.drawing("design", *width), design.controls()));
+        }
         RequestKind::Response { span, .. }
         | RequestKind::Sweep { span, .. }
-        | RequestKind::Export(span) => drop(span.text(&design)),
+        | RequestKind::Export { span, .. } => drop(span.text(&design)),
         RequestKind::DesignSearch(fields) => {
             let text = fields.text(None);
             super::library::design(text.as_bytes());

@@ -70,12 +70,18 @@ impl StateLayout {
 
     /// Converts padded vectors to block order.
     pub fn unpack(&self, lanes: &[F64x8]) -> Vec<f64> {
-        let number = |first: usize, k: usize| lanes[first + k / LANES].0[k % LANES];
-        let mut values = Vec::with_capacity(self.states());
-        for k in 0..self.pairs {
-            values.extend([number(0, k), number(self.pair_lanes, k)]);
+        let (u, rest) = lanes.split_at(self.pair_lanes);
+        let (v, reals) = rest.split_at(self.pair_lanes);
+        let mut values = vec![0.0; self.states()];
+        let (paired, single) = values.split_at_mut(2 * self.pairs);
+        for ((values, u), v) in paired.chunks_mut(2 * LANES).zip(u).zip(v) {
+            for (pair, (u, v)) in values.chunks_exact_mut(2).zip(u.0.iter().zip(v.0)) {
+                (pair[0], pair[1]) = (*u, v);
+            }
         }
-        values.extend((0..self.reals).map(|k| number(2 * self.pair_lanes, k)));
+        for (values, lane) in single.chunks_mut(LANES).zip(reals) {
+            values.copy_from_slice(&lane.0[..values.len()]);
+        }
         values
     }
 

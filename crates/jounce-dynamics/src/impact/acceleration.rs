@@ -109,14 +109,13 @@ impl Integrator<'_> {
 
     /// Returns the sum of the magnitudes of the terms of an output.
     pub(crate) fn terms_of(&self, row: &[F64x8]) -> f64 {
-        let terms = |(row, y): (&F64x8, &F64x8)| {
-            row.0
-                .iter()
-                .zip(y.0)
-                .map(|(row, y)| (row * y).abs())
-                .sum::<f64>()
-        };
-        row.iter().zip(&self.y).map(terms).sum()
+        let mut sums = F64x8::ZERO;
+        for (row, y) in row.iter().zip(&self.y) {
+            for (sum, (row, y)) in sums.0.iter_mut().zip(row.0.iter().zip(y.0)) {
+                *sum += (row * y).abs();
+            }
+        }
+        sums.0.iter().sum()
     }
 }
 

@@ -306,10 +306,17 @@ impl Plant {
 /// Returns the product of a matrix and a vector, column by column.
 pub fn product(matrix: &Mat<f64>, vector: &[f64]) -> Vec<f64> {
     let mut sum = vec![0.0; matrix.nrows()];
-    for (j, factor) in vector.iter().enumerate() {
-        sum.iter_mut()
-            .zip(column(matrix, j))
-            .for_each(|(sum, entry)| *sum += entry * factor);
+    let (pairs, last) = vector.as_chunks::<2>();
+    for (k, [x, y]) in pairs.iter().enumerate() {
+        let columns = column(matrix, 2 * k).iter().zip(column(matrix, 2 * k + 1));
+        for (sum, (a, b)) in sum.iter_mut().zip(columns) {
+            *sum = *sum + a * x + b * y;
+        }
+    }
+    for factor in last {
+        for (sum, entry) in sum.iter_mut().zip(column(matrix, vector.len() - 1)) {
+            *sum += entry * factor;
+        }
     }
     sum
 }

@@ -99,6 +99,8 @@ fn axis(goal: &str) -> Axis {
         "bandwidth" => "Half-power bandwidth",
         "expected-power" => "Expected power",
         "stable-power" => "Power of the best stable orbit",
+        "time-on" => "Share of the time on",
+        "power-margin" => "Power margin",
         _ => "Mean power",
     };
     Axis::linear(quantity, unit(goal))

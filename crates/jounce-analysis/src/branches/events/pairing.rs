@@ -10,24 +10,33 @@ pub fn paired(from: usize, to: usize, cost: impl Fn(usize, usize) -> f64) -> Vec
     let (mut rows, mut columns): (Vec<usize>, Vec<usize>) =
         ((0..from).collect(), (0..to).collect());
     let mut pairs = Vec::with_capacity(from.min(to));
-    let nearest = |others: &[usize], cost: &dyn Fn(usize) -> f64| {
-        let finite = others.iter().copied().filter(|k| cost(*k).is_finite());
-        finite.min_by(|a, b| cost(*a).total_cmp(&cost(*b)))
-    };
     loop {
-        let is_mutual =
-            |i: &usize, j: &usize| nearest(&rows, &|row| costs[row * to + j]) == Some(*i);
-        let found: Vec<(usize, usize)> = rows
+        // Cost and number of the nearest element of the other list.
+        let mut of_row = vec![(f64::INFINITY, usize::MAX); from];
+        let mut of_column = vec![(f64::INFINITY, usize::MAX); to];
+        for &i in &rows {
+            for &j in &columns {
+                let cost = costs[i * to + j];
+                if cost < of_row[i].0 {
+                    of_row[i] = (cost, j);
+                }
+                if cost < of_column[j].0 {
+                    of_column[j] = (cost, i);
+                }
+            }
+        }
+        let is_mutual = |i: usize| of_row[i].1 < to && of_column[of_row[i].1].1 == i;
+        let found = rows
             .iter()
-            .filter_map(|i| Some((*i, nearest(&columns, &|column| costs[i * to + column])?)))
-            .filter(|(i, j)| is_mutual(i, j))
-            .collect();
-        if found.is_empty() {
+            .filter(|i| is_mutual(**i))
+            .map(|&i| (i, of_row[i].1));
+        let before = pairs.len();
+        pairs.extend(found);
+        if pairs.len() == before {
             break;
         }
-        rows.retain(|row| found.iter().all(|(i, _)| i != row));
-        columns.retain(|column| found.iter().all(|(_, j)| j != column));
-        pairs.extend(found);
+        rows.retain(|&i| !is_mutual(i));
+        columns.retain(|&j| pairs[before..].iter().all(|(_, other)| j != *other));
     }
     pairs.sort_unstable();
     pairs
