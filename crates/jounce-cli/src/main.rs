@@ -22,13 +22,8 @@ mod spec_arguments;
 mod value_error;
 
 use clap::{ArgMatches, CommandFactory, FromArgMatches};
-use mimalloc::MiMalloc;
+use jounce_allocator as _;
 use std::process::ExitCode;
-
-/// Branches allocate and free many small matrices; the system allocator took a quarter of their
-/// time.
-#[global_allocator]
-static ALLOCATOR: MiMalloc = MiMalloc;
 
 fn main() -> ExitCode {
     // A negative number is a value, not an option, so that the option can refuse it by name.

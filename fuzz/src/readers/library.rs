@@ -29,7 +29,12 @@ pub fn study(data: &[u8]) {
 
 pub fn design(data: &[u8]) {
     let text = text_of(data);
-    match Problem::with_spec(BASES[0].clone(), scratch::folder(), &text) {
+    match Problem::with_spec(
+        BASES[0].clone(),
+        scratch::folder(),
+        &text,
+        scratch::folder(),
+    ) {
         Ok(problem) => assert_eq!(problem.hash_hex().len(), 64),
         Err(DesignError::Faults(faults)) => check_places(&text, &faults),
         Err(error) => assert!(!error.to_string().is_empty()),

@@ -12,6 +12,4 @@ mod library;
 mod random_specs;
 mod stored;
 
-/// The allocator of the program.
-#[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+use jounce_allocator as _;

@@ -13,6 +13,4 @@ mod rectified;
 mod rows;
 mod two_parameters;
 
-/// The allocator of the program; with that of the system these tests take a fifth more time.
-#[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+use jounce_allocator as _;

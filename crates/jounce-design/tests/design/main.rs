@@ -15,9 +15,7 @@ mod robustness;
 mod sensor;
 mod wrong_input;
 
-/// The allocator of the program; with that of the system these tests take a fifth more time.
-#[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+use jounce_allocator as _;
 
 use jounce_analysis::Journal;
 use jounce_control::Control;

@@ -70,9 +70,15 @@ impl StateLayout {
 
     /// Converts padded vectors to block order.
     pub fn unpack(&self, lanes: &[F64x8]) -> Vec<f64> {
+        let mut values = vec![0.0; self.states()];
+        self.unpack_into(lanes, &mut values);
+        values
+    }
+
+    /// Converts padded vectors into values in block order.
+    pub fn unpack_into(&self, lanes: &[F64x8], values: &mut [f64]) {
         let (u, rest) = lanes.split_at(self.pair_lanes);
         let (v, reals) = rest.split_at(self.pair_lanes);
-        let mut values = vec![0.0; self.states()];
         let (paired, single) = values.split_at_mut(2 * self.pairs);
         for ((values, u), v) in paired.chunks_mut(2 * LANES).zip(u).zip(v) {
             for (pair, (u, v)) in values.chunks_exact_mut(2).zip(u.0.iter().zip(v.0)) {
@@ -82,7 +88,6 @@ impl StateLayout {
         for (values, lane) in single.chunks_mut(LANES).zip(reals) {
             values.copy_from_slice(&lane.0[..values.len()]);
         }
-        values
     }
 
     /// Returns the position of a state in column order `u0, u1, .., v0, v1, .., r0, ..`, in which

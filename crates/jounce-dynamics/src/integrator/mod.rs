@@ -24,6 +24,7 @@ use crate::tables::step_tables::StepTables;
 pub(crate) use full_state::FullState;
 use jounce_model::plant::Stop;
 use jounce_simd::F64x8;
+use smallvec::smallvec;
 use std::sync::Arc;
 
 /// Integration in progress.
@@ -159,10 +160,12 @@ impl Integrator<'_> {
     pub(crate) fn note(&mut self, length_s: f64, forces: &[PortForce]) {
         if let Some(record) = &mut self.record {
             let conduction_state = self.switching.conduction_state;
+            let mut state = smallvec![0.0; self.layout.states()];
+            self.layout.unpack_into(&self.y, &mut state);
             record.push(TrajectorySegment {
                 start_s: self.time_s,
                 length_s,
-                state: self.layout.unpack(&self.y).into(),
+                state,
                 sizes: self.excitation.sizes.as_slice().into(),
                 forces: forces.into(),
                 conduction_state,

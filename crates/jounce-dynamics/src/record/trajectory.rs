@@ -11,7 +11,11 @@ use crate::force_response::step_response::StepResponse;
 use crate::kernel::{ForceBasis, Kernel};
 use jounce_model::plant::{Plant, Port, SignalSample};
 use jounce_simd::F64x8;
+use smallvec::SmallVec;
 use std::collections::HashMap;
+
+/// States of a segment that need no allocation: those of nine modes and two voltages.
+const INLINE_STATES: usize = 20;
 
 /// Step of a trajectory.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,7 +25,7 @@ pub struct TrajectorySegment {
     /// Length, s.
     pub length_s: f64,
     /// State at its start without the forced part of the signals, block coordinates.
-    pub state: Box<[f64]>,
+    pub state: SmallVec<[f64; INLINE_STATES]>,
     /// Value and slope of each signal at its start.
     pub sizes: Box<[SignalSample]>,
     /// Contact forces; empty in flight. Records are long and mostly of flights, so that no space is

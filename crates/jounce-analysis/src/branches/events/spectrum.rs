@@ -54,14 +54,14 @@ impl StepEnd<'_> {
     /// Returns the index of the conjugate.
     pub fn conjugate(&self, i: usize) -> usize {
         let conjugate = self.value(i).conj();
-        let distance = |j: &usize| (self.value(*j) - conjugate).norm_sqr();
         if conjugate.im == 0.0 {
-            i
-        } else {
-            (0..self.count())
-                .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-                .unwrap_or(i)
+            return i;
         }
+        let distance = |j: usize| (self.value(j) - conjugate).norm_sqr();
+        (0..self.count())
+            .map(|j| (distance(j), j))
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map_or(i, |(_, j)| j)
     }
 
     /// Returns a function of some multipliers, and its change over the step by its derivative.
@@ -233,11 +233,14 @@ fn may_meet(ends: [StepEnd; 2], one: (usize, usize), two: (usize, usize)) -> boo
     let is_real = values
         .iter()
         .all(|mu| mu.im == 0.0 && (mu.re > 0.0) == (values[0].re > 0.0));
+    if !is_real {
+        return false;
+    }
     let both = MultiplierGroup {
         from: vec![one.0, two.0],
         to: vec![one.1, two.1],
     };
-    is_real && between(ends, &both, discriminant).crossings() != Some(0)
+    between(ends, &both, discriminant).crossings() != Some(0)
 }
 
 #[cfg(test)]
