@@ -10,7 +10,7 @@ pub enum ContinuationError<E> {
     Family(E),
     /// Newton did not converge.
     #[error(
-        "Newton's method did not converge at the value {parameter} of the key: the last correction is {error:.1e}, the goal {goal:.1e}{left}; start nearer to the solution or use a larger tolerance"
+        "Newton's method did not converge at the parameter value {parameter}: the last correction is {error:.1e}, the goal {goal:.1e}{left}; start nearer to the solution or use a larger tolerance"
     )]
     Diverged {
         /// Parameter there.
@@ -24,7 +24,7 @@ pub enum ContinuationError<E> {
     },
     /// The derivative is singular in more than one direction.
     #[error(
-        "the derivative is singular at the value {parameter} of the key; start at another value"
+        "the derivative is singular at the parameter value {parameter}; start at another value"
     )]
     Singular {
         /// Parameter there.
@@ -32,7 +32,7 @@ pub enum ContinuationError<E> {
     },
     /// No step is short enough.
     #[error(
-        "the curve cannot be followed beyond the value {parameter} of the key: even a step of {step:.1e} of the solution fails{}{left}; a smaller tolerance may help",
+        "the curve cannot be followed further: even a step of {step:.1e} of the solution fails{}{left}; a smaller tolerance may help",
         last_correction(.error)
     )]
     Stuck {

@@ -8,8 +8,9 @@
 //! / |d2P/dp2| / step`. A half-power edge has the error `E |P| / |dP/dp|`, where `E` includes that
 //! of the peak. A stability boundary has the error of the multiplier over its slope, at most the
 //! distance to the farther one of its two neighbouring points. The residual error of Newton's
-//! method is added to each. Where a branch ends or turns inside the range, at a doubling for example,
-//! the edge lies within one step of its last point, so its error is the length of that step.
+//! method is added to each. Where a branch meets another one inside the range, at a doubling for
+//! example, the edge lies within one step of its last point, so its error is the length of that step.
+//! Where continuation fails, the branch may continue beyond the edge.
 
 use super::curve_piece::CurvePiece;
 use super::merge::merged;
@@ -151,9 +152,10 @@ impl<'s> BandwidthSearch<'s> {
             power_error: 2.0 * point.orbit.error_estimate,
             edge: IntervalEdge {
                 parameter: point.parameter,
-                parameter_error: match [self.range.0, self.range.1].contains(&point.parameter) {
-                    true => 0.0,
-                    false => (points[1].parameter - points[0].parameter).abs(),
+                parameter_error: if [self.range.0, self.range.1].contains(&point.parameter) {
+                    0.0
+                } else {
+                    (points[1].parameter - points[0].parameter).abs()
                 },
                 at: BandLimit::End,
             },

@@ -246,7 +246,6 @@ fn format_of(path: &Path) -> Result<(&'static str, Reader), ReadError> {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::EXTENSIONS;
     use std::collections::BTreeSet;
@@ -255,9 +254,11 @@ mod tests {
     #[test]
     fn the_live_page_offers_the_files_of_every_format() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../jounce-explorer/page");
-        let page = std::fs::read_to_string(format!("{folder}/index.html")).unwrap();
-        let (_, input) = page.split_once("id=\"shake-file\" accept=\"").unwrap();
-        let (accepted, _) = input.split_once('"').unwrap();
+        let page = std::fs::read_to_string(format!("{folder}/index.html")).expect("the page");
+        let (_, input) = page
+            .split_once("id=\"shake-file\" accept=\"")
+            .expect("the field of the recording");
+        let (accepted, _) = input.split_once('"').expect("a closed list");
         let accepted: BTreeSet<&str> = accepted.split(',').collect();
         let text = ["csv", "txt"];
         let expected: Vec<String> = text

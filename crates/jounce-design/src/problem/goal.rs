@@ -56,6 +56,23 @@ impl Goal {
         matches!(self, Self::TimeOn | Self::PowerMargin)
     }
 
+    /// Returns the title of an axis.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::ExpectedPower => "Expected power",
+            Self::StablePower => "Power of the best stable orbit",
+            Self::Bandwidth => "Half-power bandwidth",
+            Self::MeanPower => "Mean power",
+            Self::TimeOn => "Share of the time on",
+            Self::PowerMargin => "Power margin",
+        }
+    }
+
+    /// Returns the goal of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|goal| goal.name() == name)
+    }
+
     /// Returns the unit of the goal.
     pub fn unit(self) -> &'static str {
         match self {

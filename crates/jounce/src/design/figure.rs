@@ -2,7 +2,7 @@
 
 use super::DesignResult;
 use super::report::unit;
-use jounce_design::LimitResult;
+use jounce_design::{Goal, LimitResult};
 use jounce_plot::{Along, Axis, Figure, Line, Marker, Panel, Series};
 
 /// Height of the rows of limits, pixels.
@@ -95,13 +95,5 @@ fn limits_panel(limits: &[LimitResult]) -> Panel {
 }
 
 fn axis(goal: &str) -> Axis {
-    let quantity = match goal {
-        "bandwidth" => "Half-power bandwidth",
-        "expected-power" => "Expected power",
-        "stable-power" => "Power of the best stable orbit",
-        "time-on" => "Share of the time on",
-        "power-margin" => "Power margin",
-        _ => "Mean power",
-    };
-    Axis::linear(quantity, unit(goal))
+    Axis::linear(Goal::named(goal).map_or("Goal", Goal::title), unit(goal))
 }

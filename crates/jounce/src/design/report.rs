@@ -211,9 +211,7 @@ fn end_text(end: SearchEnd) -> &'static str {
 
 /// Returns the unit of a goal.
 pub(super) fn unit(goal: &str) -> &'static str {
-    let mut goals = Goal::ALL.into_iter();
-    let found = goals.find(|one| one.name() == goal);
-    found.map_or("", Goal::unit)
+    Goal::named(goal).map_or("", Goal::unit)
 }
 
 /// Returns the line of the nearest fold.

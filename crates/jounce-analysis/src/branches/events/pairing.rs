@@ -12,30 +12,27 @@ pub fn paired(from: usize, to: usize, cost: impl Fn(usize, usize) -> f64) -> Vec
     let mut pairs = Vec::with_capacity(from.min(to));
     loop {
         // Cost and number of the nearest element of the other list.
-        let mut of_row = vec![(f64::INFINITY, usize::MAX); from];
-        let mut of_column = vec![(f64::INFINITY, usize::MAX); to];
+        let mut of_row = vec![(f64::INFINITY, None); from];
+        let mut of_column = vec![(f64::INFINITY, None); to];
         for &i in &rows {
             for &j in &columns {
                 let cost = costs[i * to + j];
                 if cost < of_row[i].0 {
-                    of_row[i] = (cost, j);
+                    of_row[i] = (cost, Some(j));
                 }
                 if cost < of_column[j].0 {
-                    of_column[j] = (cost, i);
+                    of_column[j] = (cost, Some(i));
                 }
             }
         }
-        let is_mutual = |i: usize| of_row[i].1 < to && of_column[of_row[i].1].1 == i;
-        let found = rows
-            .iter()
-            .filter(|i| is_mutual(**i))
-            .map(|&i| (i, of_row[i].1));
+        let partner = |i: usize| of_row[i].1.filter(|j| of_column[*j].1 == Some(i));
+        let found = rows.iter().filter_map(|&i| Some((i, partner(i)?)));
         let before = pairs.len();
         pairs.extend(found);
         if pairs.len() == before {
             break;
         }
-        rows.retain(|&i| !is_mutual(i));
+        rows.retain(|&i| partner(i).is_none());
         columns.retain(|&j| pairs[before..].iter().all(|(_, other)| j != *other));
     }
     pairs.sort_unstable();

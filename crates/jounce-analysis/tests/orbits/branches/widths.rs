@@ -3,8 +3,8 @@
 
 use crate::harvesters::{bench, bench_with_keys};
 use jounce_analysis::{
-    BandLimit, BandwidthSearch, Bandwidths, BranchKind, BranchSearch, Model, OrbitMethodKind,
-    Parameter, settled_orbit,
+    BandLimit, BandwidthSearch, Bandwidths, Branch, BranchKind, BranchSearch, Model,
+    OrbitMethodKind, Parameter, settled_orbit,
 };
 use jounce_model::linear::steady_power_w;
 use jounce_spec::SpecFile;
@@ -39,7 +39,14 @@ duration = "20 s"
 average_over = "10 s"
 "#;
 
-fn widths(file: &SpecFile, range: (f64, f64), tolerance: f64) -> Bandwidths {
+/// Branches over the frequency of the shaker up to a period, from the ends of the range, with their
+/// bandwidths.
+fn branches_with_widths(
+    file: &SpecFile,
+    range: (f64, f64),
+    tolerance: f64,
+    longest_period: u32,
+) -> (Vec<Branch>, Bandwidths) {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
@@ -50,16 +57,21 @@ fn widths(file: &SpecFile, range: (f64, f64), tolerance: f64) -> Bandwidths {
         method: OrbitMethodKind::Shooting,
         tolerance,
         seeds: 0,
-        longest_period: 1,
+        longest_period,
     };
     let branches = search.run().unwrap();
-    BandwidthSearch {
+    let widths = BandwidthSearch {
         base: &base,
         parameter: &parameter,
         range,
         tolerance,
     }
-    .run(&branches)
+    .run(&branches);
+    (branches, widths)
+}
+
+fn widths(file: &SpecFile, range: (f64, f64), tolerance: f64) -> Bandwidths {
+    branches_with_widths(file, range, tolerance, 1).1
 }
 
 /// Power of a purely resistive load follows the speed:
@@ -104,31 +116,12 @@ fn the_error_of_an_end_at_a_doubling_covers_the_doubling() {
         ("drive.shaker.amplitude", "\"80 N\""),
         ("stop.tip.gap", "\"3 mm\""),
     ]);
-    let (range, tolerance) = ((4.0, 5.2), 1e-9);
-    let base = Model::new(file.spec().unwrap()).unwrap();
-    let key = file.numeric_key("drive.shaker.frequency").unwrap();
-    let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let search = BranchSearch {
-        base: &base,
-        parameter: &parameter,
-        range,
-        method: OrbitMethodKind::Shooting,
-        tolerance,
-        seeds: 0,
-        longest_period: 2,
-    };
-    let branches = search.run().unwrap();
+    let range = (4.0, 5.2);
+    let (branches, widths) = branches_with_widths(&file, range, 1e-9, 2);
     let doublings: Vec<f64> = (branches.iter().flat_map(|branch| &branch.bifurcations))
         .filter(|label| label.kind == BranchKind::PeriodDoubling)
         .map(|label| label.at.parameter)
         .collect();
-    let widths = BandwidthSearch {
-        base: &base,
-        parameter: &parameter,
-        range,
-        tolerance,
-    }
-    .run(&branches);
     let doubled = (branches.iter().zip(&widths.branches))
         .filter_map(|(branch, width)| width.as_ref().filter(|_| branch.period_cycles == 2));
     let ends: Vec<_> = doubled

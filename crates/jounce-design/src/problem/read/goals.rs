@@ -27,7 +27,7 @@ pub(super) fn goals(reader: &mut FaultCollector, item: Option<&Item>) -> (Vec<Go
     let all = Goal::ALL.map(Goal::name).join(", ");
     let mut goals: Vec<Goal> = Vec::new();
     for name in &names {
-        match Goal::ALL.into_iter().find(|goal| goal.name() == *name) {
+        match Goal::named(name) {
             Some(goal) if !goals.contains(&goal) => goals.push(goal),
             Some(_) => reader.fault(
                 "goal.maximise",
