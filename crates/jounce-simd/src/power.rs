@@ -94,12 +94,14 @@ pub fn power<W: Simd>(w: W, base: W::Register, exponent: f64) -> W::Register {
 }
 
 /// Returns a sum of ascending powers.
+// A loop: the compiler does not inline `Iterator::rfold` everywhere, and registers do not survive calls.
 #[inline(always)]
 fn sum<W: Simd>(w: W, coefficients: &[f64], x: W::Register) -> W::Register {
-    let descending = coefficients.iter().rev();
-    descending.fold(w.zero(), |sum, coefficient| {
-        w.fma(sum, x, w.splat(*coefficient))
-    })
+    let mut sum = w.zero();
+    for coefficient in coefficients.iter().rev() {
+        sum = w.fma(sum, x, w.splat(*coefficient));
+    }
+    sum
 }
 
 #[cfg(test)]

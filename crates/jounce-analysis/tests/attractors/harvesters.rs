@@ -22,10 +22,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Seed of the harvesters.
-const SEED: u64 = 22;
+pub const SEED: u64 = 22;
 
 /// Starts of a cloud for which endings are stored.
-const STARTS: usize = 400;
+pub const STARTS: usize = 400;
 
 /// Limits of the stored integrations.
 const PATIENCE: Patience = Patience {
@@ -33,14 +33,14 @@ const PATIENCE: Patience = Patience {
     period: 64,
 };
 
-fn number(name: &str) -> Option<usize> {
+pub fn number(name: &str) -> Option<usize> {
     std::env::var(name).ok().map(|text| {
         text.parse()
             .unwrap_or_else(|_| panic!("{name} is `{text}`, no number"))
     })
 }
 
-fn cloud(starts: usize) -> InitialStates {
+pub fn cloud(starts: usize) -> InitialStates {
     InitialStates::Cloud(Cloud {
         starts,
         seed: 5,

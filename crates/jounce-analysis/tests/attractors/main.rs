@@ -5,6 +5,7 @@
 mod agreement;
 mod brute;
 mod checks;
+mod coverage;
 mod drawn;
 mod endings;
 mod harvesters;
