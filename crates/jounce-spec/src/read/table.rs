@@ -4,7 +4,8 @@ use super::value::read_slot;
 use super::{ReadState, join, missing_choice};
 use crate::key::{Element, KeyInfo, Kind, Need, ValueRef};
 use crate::nearest::{clip, did_you_mean, join_words, nearest};
-use crate::source::{Entry, Node};
+use crate::source::{Entry, Node, SourcePlace, Value};
+use std::borrow::Cow;
 
 /// Reads a table of keys into an element. Choices precede the keys that depend on them in the table
 /// of keys.
@@ -24,6 +25,9 @@ pub(crate) fn read_keys(
     };
     let infos: Vec<&KeyInfo> = element.keys().map(|(_, info)| info).collect();
     let names: Vec<&str> = infos.iter().map(|info| info.name).collect();
+    let written = entries;
+    let corrected = with_misspelt_tables(&infos, &names, written);
+    let entries = corrected.as_ref();
     reading.misspelt.extend(misspelt(&names, path, entries));
     let mut doubtful: Vec<&str> = Vec::new();
     for (index, info) in infos.iter().copied().enumerate() {
@@ -46,7 +50,7 @@ pub(crate) fn read_keys(
             continue;
         }
         let Some(entry) = entries.iter().find(|entry| entry.name == info.name) else {
-            if missing(&names, info, path, node, reading) {
+            if missing(&names, info, path, (node.position, entries), reading) {
                 doubtful.push(info.name);
             }
             continue;
@@ -64,13 +68,47 @@ pub(crate) fn read_keys(
     let applicable: Vec<&KeyInfo> = (infos.iter().copied())
         .filter(|info| element.applies(info))
         .collect();
-    for entry in entries {
+    for entry in written {
         if reading.has_room() {
             let all = [&infos[..], &applicable];
             check_known(all, path, entry, element, &doubtful, reading);
         }
     }
     check_alternatives(&applicable, path, entries, reading);
+}
+
+/// Returns the keys with each table of a misspelt name as part of the table that the name probably
+/// means, so that its keys are checked too.
+fn with_misspelt_tables<'e>(
+    infos: &[&KeyInfo],
+    names: &[&str],
+    entries: &'e [Entry],
+) -> Cow<'e, [Entry]> {
+    let meant = |entry: &Entry| {
+        let is_unknown = entry.node.entries().is_some() && !names.contains(&entry.name.as_str());
+        let meant = nearest(&entry.name, names).filter(|_| is_unknown)?;
+        let is_meant = |info: &&KeyInfo| info.name == meant && info.kind.is_table();
+        infos.iter().any(is_meant).then_some(meant)
+    };
+    if entries.iter().all(|entry| meant(entry).is_none()) {
+        return Cow::Borrowed(entries);
+    }
+    let mut corrected = Vec::new();
+    for entry in entries {
+        let name = meant(entry).unwrap_or(&entry.name);
+        merge(&mut corrected, entry.renamed(name));
+    }
+    Cow::Owned(corrected)
+}
+
+/// Adds a key to others; the keys of a table that is already there are added to those of the table.
+fn merge(entries: &mut Vec<Entry>, added: Entry) {
+    let Some(same) = entries.iter_mut().find(|entry| entry.name == added.name) else {
+        return entries.push(added);
+    };
+    if let (Value::Table(there), Value::Table(more)) = (&mut same.node.value, added.node.value) {
+        more.into_iter().for_each(|entry| merge(there, entry));
+    }
 }
 
 /// Returns the dotted paths of the keys that unknown keys of a table probably mean.
@@ -88,10 +126,9 @@ fn missing(
     names: &[&str],
     info: &KeyInfo,
     path: &str,
-    node: &Node,
+    (position, entries): (SourcePlace, &[Entry]),
     reading: &mut ReadState,
 ) -> bool {
-    let entries = node.entries().unwrap_or_default();
     let stands = |name: &&str| entries.iter().any(|entry| entry.name == *name);
     let instead = info
         .unless
@@ -121,14 +158,8 @@ fn missing(
         };
         !names.contains(&entry.name.as_str()) && meant.is_some_and(replaces)
     };
-    let is_elsewhere = reading.is_below_misspelt(path);
-    if must
-        && reading.complete
-        && reading.has_room()
-        && !is_elsewhere
-        && !entries.iter().any(misspelt)
-    {
-        reading.fault(node.position, path, text);
+    if must && reading.complete && reading.has_room() && !entries.iter().any(misspelt) {
+        reading.fault(position, path, text);
     }
     must
 }
