@@ -1,6 +1,7 @@
 //! Limits of sizes, of the nearest fold and of runs; a band as conditions.
 
 use super::{LINEAR, linear_at, outcome, outcome_of, problem};
+use jounce_spec::Quantity;
 
 const CANTILEVER: &str = "[beam.b]\nyoungs_modulus = \"200 GPa\"\ndensity = \"7800 kg/m^3\"\nlength = \"100 mm\"\nwidth = \"20 mm\"\nthickness = \"1 mm\"\n\
     [patch.p]\non = \"b\"\nmaterial = \"MFC-P2\"\nstart = \"0 mm\"\nlength = \"20 mm\"\nwidth = \"20 mm\"\nthickness = \"0.3 mm\"\n\
@@ -145,8 +146,9 @@ fn limits_hold_in_each_condition() {
     let found = outcome(&text(
         "mean_power = \"1 uW\"\n\"patch.m.p.voltage\" = \"1 kV\"",
     ));
-    let load_ohm = found.best.set["circuit.load.resistance"].trim_end_matches(" ohm");
-    let [low, high] = [9.0, 10.0].map(|hz| linear_at(load_ohm.parse().unwrap(), hz));
+    let load = &found.best.set["circuit.load.resistance"];
+    let load_ohm = Quantity::Resistance.read(load).unwrap();
+    let [low, high] = [9.0, 10.0].map(|hz| linear_at(load_ohm, hz));
     let [power, voltage] = [0, 1].map(|index| found.limits[index].value);
     assert!((power / low.1.min(high.1) - 1.0).abs() < 1e-6, "{found:?}");
     assert!(
