@@ -86,10 +86,16 @@ fn limits_panel(limits: &[LimitResult]) -> Panel {
     .reference(Along::X, 1.0, None);
     for (k, (limit, row)) in limits.iter().zip(&rows).enumerate() {
         let text = format!("{} {}: {}", limit.name, limit.comparison(4), limit.state());
-        let allowed = if limit.is_lower { [1.0, end] } else { [0.0, 1.0] };
+        let allowed = if limit.is_lower {
+            [1.0, end]
+        } else {
+            [0.0, 1.0]
+        };
         let line = Series::line(allowed.to_vec(), vec![*row; 2]);
         let line = if k == 0 { line.label("allowed") } else { line };
-        panel = panel.with(line.colour(Colour::nth(0))).note(0.5, *row, &text);
+        panel = panel
+            .with(line.colour(Colour::nth(0)))
+            .note(0.5, *row, &text);
     }
     let values = Series::points(used, rows, Marker::Circle).label("best design");
     panel.with(values.colour(Colour::nth(1)))

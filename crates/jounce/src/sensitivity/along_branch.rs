@@ -3,9 +3,7 @@
 
 use super::{KeyDerivative, KeySensitivity, OrbitResult, SensitivityResult};
 use crate::error::Error;
-use jounce_analysis::{
-    Derivative, DerivativeKey, Model, NotFollowed, nearest_fold, nearest_peak,
-};
+use jounce_analysis::{Derivative, DerivativeKey, Model, NotFollowed, nearest_fold, nearest_peak};
 use jounce_orbits::Orbit;
 use jounce_spec::NumericKey;
 
