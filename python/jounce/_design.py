@@ -101,7 +101,12 @@ class DesignResult(Result):
     feasible: Annotated[bool, About("True within all limits")]
     violation: Annotated[float, About("sum of the violations of the limits, each from 0 within the limit to 1 for an unknown value")]
     ended_by: Annotated[str, About('reason of the end: ``"converged"``, ``"evaluations"``, ``"seconds"`` or ``"stopped"``')]
-    warnings: Annotated[list[str], About("free keys that change neither a goal nor a limit at the best design, one sentence each")]
+    warnings: Annotated[
+        list[str],
+        About(
+            "free keys that change neither a goal nor a limit at the best design, and a bifurcation nearer than the nearest fold, one sentence each"
+        ),
+    ]
     trace_evaluation: Annotated[Floats, Along("step", "", "number of evaluated designs", "evaluation")]
     trace_goal: Annotated[Floats, Along("step", "", "first goal of the best design", "goal")]
     trace_violation: Annotated[Floats, Along("step", "", "sum of its relative violations", "violation")]

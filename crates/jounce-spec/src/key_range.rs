@@ -40,6 +40,19 @@ impl KeyRange {
         Ok(Self { key, values })
     }
 
+    /// Reads the ends of a range, each with its unit, SI.
+    ///
+    /// # Errors
+    /// An end in wrong units or beyond the limits of the key.
+    pub fn ends(key: &NumericKey, from: &str, to: &str) -> Result<(f64, f64), Fault> {
+        let ends = all_or_reasons([from, to].map(|end| number(key.kind(), end)));
+        let ends = ends.map_err(|reason| fault(key, &reason))?;
+        for end in &ends {
+            key.check(*end)?;
+        }
+        Ok((ends[0], ends[1]))
+    }
+
     /// Returns the key.
     pub fn key(&self) -> &NumericKey {
         &self.key

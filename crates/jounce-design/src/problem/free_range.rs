@@ -38,21 +38,17 @@ impl FreeRange {
             )]
         };
         let (from, to, logarithmic) = ends(text).ok_or_else(wrong)?;
-        let range =
-            KeyRange::parse(key, &format!("{from},{to}")).map_err(|fault| vec![fault.message])?;
-        let [low, high] = range.values()[..] else {
-            return Err(wrong());
-        };
+        let (low, high) = KeyRange::ends(&key, &from, &to).map_err(|fault| vec![fault.message])?;
         if low >= high || (logarithmic && low <= 0.0) {
             return Err(wrong());
         }
         let mut units = [&from, &to].map(|end| unit_of(end).to_owned());
-        let size = |unit: &String| range.key().size_of(unit).unwrap_or(1.0);
+        let size = |unit: &String| key.size_of(unit).unwrap_or(1.0);
         if size(&units[0]) > size(&units[1]) {
             units.reverse();
         }
         Ok(Self {
-            key: range.key().clone(),
+            key,
             low,
             high,
             logarithmic,
