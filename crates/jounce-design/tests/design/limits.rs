@@ -67,6 +67,27 @@ fn a_distance_to_the_nearest_fold_is_at_most_that_of_the_searched_range() {
     assert!(!broken.feasible && broken.violation < 0.04, "{broken:?}");
 }
 
+/// The orbit of the 2019 harvester at 13 Hz loses its stability at 12.802 Hz, where runs stop settling;
+/// its nearest fold lies at 12.590 Hz.
+#[test]
+fn a_bifurcation_nearer_than_the_fold_is_a_warning() {
+    let spec = include_str!("../../../../examples/impact-harvester-2019/harvester.toml");
+    let found = outcome_of(
+        spec,
+        "evaluations = 1\n[free]\n\"circuit.load.resistance\" = \"900kohm:1Mohm\"\n\
+         [goal]\nmaximise = \"stable-power\"\nstarts = 2\n",
+    );
+    let fold = found.best.nearest_fold.as_ref().unwrap();
+    assert!((fold.frequency_hz - 12.590).abs() < 1e-3, "{fold:?}");
+    let [warning] = &found.warnings[..] else {
+        panic!("{:?}", found.warnings)
+    };
+    assert!(
+        warning.contains("neimark-sacker at 12.802") && warning.contains("1.977e-1 Hz away"),
+        "{warning}"
+    );
+}
+
 /// Under noise the voltage of the averaging window has a limit too.
 #[test]
 fn a_run_under_noise_keeps_a_limit_of_the_voltage() {
