@@ -49,7 +49,8 @@ fn text_of(error: &Error, kind: ContextKind) -> Option<String> {
     }
 }
 
-/// Gives an argument that is not known its probable name, or removes it; false where it is not found.
+/// Gives an argument that is not known its probable name, or removes it, also where that option is
+/// given too; false where the argument is not found.
 fn correct_name(error: &Error, name: &str, arguments: &mut Vec<OsString>) -> bool {
     let value_of = |argument: &OsString| {
         let text = argument.to_string_lossy().into_owned();
@@ -63,7 +64,16 @@ fn correct_name(error: &Error, name: &str, arguments: &mut Vec<OsString>) -> boo
     let Some((index, value)) = found.filter(|(index, _)| *index > 0) else {
         return false;
     };
-    match text_of(error, ContextKind::SuggestedArg) {
+    let is_given = |meant: &String| {
+        let rest = |argument: &OsString| {
+            let text = argument.to_string_lossy().into_owned();
+            text.strip_prefix(meant.as_str()).map(str::to_owned)
+        };
+        let mut rests = arguments.iter().filter_map(rest);
+        rests.any(|rest| rest.is_empty() || rest.starts_with('='))
+    };
+    let meant = text_of(error, ContextKind::SuggestedArg);
+    match meant.filter(|meant| !is_given(meant)) {
         Some(meant) => arguments[index] = OsString::from(meant + &value),
         None => drop(arguments.remove(index)),
     }
@@ -81,8 +91,12 @@ fn accept_any_value(command: &mut Command, arguments: &[OsString], name: &str) -
     }
     let any = OsStringValueParser::new();
     let any_type = clap::builder::ValueParser::from(any).type_id();
+    // `name` is that of an option with its value, as in `--threads <THREADS>`.
+    let option = name.split([' ', '=', '[']).next().unwrap_or(name);
+    let long = option.strip_prefix("--");
     let is_strict = |argument: &&clap::Arg| {
-        argument.to_string() == name && argument.get_value_parser().type_id() != any_type
+        let is_named = long.is_some() && argument.get_long() == long;
+        is_named && argument.get_value_parser().type_id() != any_type
     };
     let Some(id) = (command.get_arguments().find(is_strict)).map(|found| found.get_id().clone())
     else {

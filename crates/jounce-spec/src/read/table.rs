@@ -6,6 +6,7 @@ use crate::key::{Element, KeyInfo, Kind, Need, ValueRef};
 use crate::nearest::{clip, did_you_mean, join_words, nearest};
 use crate::source::{Entry, Node, SourcePlace, Value};
 use std::borrow::Cow;
+use std::collections::HashMap;
 
 /// Reads a table of keys into an element. Choices precede the keys that depend on them in the table
 /// of keys.
@@ -84,31 +85,45 @@ fn with_misspelt_tables<'e>(
     names: &[&str],
     entries: &'e [Entry],
 ) -> Cow<'e, [Entry]> {
-    let meant = |entry: &Entry| {
-        let is_unknown = entry.node.entries().is_some() && !names.contains(&entry.name.as_str());
-        let meant = nearest(&entry.name, names).filter(|_| is_unknown)?;
-        let is_meant = |info: &&KeyInfo| info.name == meant && info.kind.is_table();
-        infos.iter().any(is_meant).then_some(meant)
+    let is_meant = |meant: &&str| {
+        let named = |info: &&KeyInfo| info.name == *meant && info.kind.is_table();
+        infos.iter().any(named)
     };
-    if entries.iter().all(|entry| meant(entry).is_none()) {
+    let meant = |entry: &'e Entry| {
+        let is_unknown = entry.node.entries().is_some() && !names.contains(&entry.name.as_str());
+        let meant = is_unknown.then(|| nearest(&entry.name, names)).flatten();
+        (meant.filter(is_meant), entry)
+    };
+    let meant: Vec<(Option<&str>, &Entry)> = entries.iter().map(meant).collect();
+    if meant.iter().all(|(name, _)| name.is_none()) {
         return Cow::Borrowed(entries);
     }
-    let mut corrected = Vec::new();
-    for entry in entries {
-        let name = meant(entry).unwrap_or(&entry.name);
-        merge(&mut corrected, entry.renamed(name));
-    }
-    Cow::Owned(corrected)
+    let named = meant.into_iter();
+    let named = named.map(|(name, entry)| (name.unwrap_or(&entry.name), entry));
+    Cow::Owned(merged(named.collect()))
 }
 
-/// Adds a key to others; the keys of a table that is already there are added to those of the table.
-fn merge(entries: &mut Vec<Entry>, added: Entry) {
-    let Some(same) = entries.iter_mut().find(|entry| entry.name == added.name) else {
-        return entries.push(added);
-    };
-    if let (Value::Table(there), Value::Table(more)) = (&mut same.node.value, added.node.value) {
-        more.into_iter().for_each(|entry| merge(there, entry));
+/// Returns the keys with all tables of one name as one table.
+fn merged(entries: Vec<(&str, &Entry)>) -> Vec<Entry> {
+    let mut groups: Vec<(&str, Vec<&Entry>)> = Vec::new();
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    for (name, entry) in entries {
+        let place = *places.entry(name).or_insert(groups.len());
+        match groups.get_mut(place) {
+            Some((_, group)) => group.push(entry),
+            None => groups.push((name, vec![entry])),
+        }
     }
+    let combined = |(name, group): (&str, Vec<&Entry>)| {
+        let mut first = group[0].renamed(name);
+        if let (Value::Table(keys), [_, _, ..]) = (&mut first.node.value, &group[..]) {
+            let all = group.iter().filter_map(|entry| entry.node.entries());
+            let all = all.flatten().map(|entry| (entry.name.as_str(), entry));
+            *keys = merged(all.collect());
+        }
+        first
+    };
+    groups.into_iter().map(combined).collect()
 }
 
 /// Returns the dotted paths of the keys that unknown keys of a table probably mean.

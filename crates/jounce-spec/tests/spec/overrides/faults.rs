@@ -166,7 +166,7 @@ fn a_misspelt_table_hides_no_other_fault() {
     let beam =
         "material = \"steel\"\nlength = \"50 mm\"\nwidth = \"10 mm\"\nthickness = \"1 mm\"\n";
     let other = beam.replace("50 mm", "50");
-    let run = "[run]\nduration = \"1 s\"\naverage_over = \"2 s\"\n";
+    let run = "[run]\nduration = \"1 s\"\naverage_over = \"2 s\"\n[damping]\nbeyond = 0.01\n";
     let of = |text: String| {
         let faults = SpecFile::from_text(text).spec().unwrap_err();
         let lines = faults.as_slice().iter();
