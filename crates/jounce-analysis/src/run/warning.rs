@@ -170,7 +170,7 @@ pub enum Warning {
     },
     /// Damping ratios for modes that are not retained.
     #[error(
-        "damping.ratios has {listed} numbers, but only {used} retained modes need one, so that the last {} have no effect; shorten the list, or retain more modes (`reduction.modes`)", listed - used
+        "damping.ratios has {listed} numbers, but only {used} retained modes need one: all after number {used} are without effect; shorten the list, or retain more modes (`reduction.modes`)"
     )]
     UnusedRatios {
         /// Length of the list.

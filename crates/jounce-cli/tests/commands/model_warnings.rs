@@ -80,7 +80,9 @@ fn what_the_model_ignores_is_said() {
     let spec = write_spec(&folder, &format!("{STRIP}{SINE}"));
     let warnings = |set: &[&str]| {
         let set = set.iter().flat_map(|one| ["--set", one]);
-        let arguments: Vec<&str> = ["check", &spec, "--json"].into_iter().chain(set).collect();
+        let whole = ["--set", "run.average_over=0.3333333333333333 s"];
+        let arguments = ["check", &spec, "--json"].into_iter().chain(whole);
+        let arguments: Vec<&str> = arguments.chain(set).collect();
         let (code, check, text) = jounce(&arguments);
         assert_eq!(code, 0, "{text}");
         check["warnings"].clone()
