@@ -91,8 +91,9 @@ class DesignResult(Result):
     limits: Annotated[
         list[dict[str, Any]],
         About(
-            "limits: ``name``, ``value``, ``limit``, ``is_lower``, ``violation``, ``active``, ``price``, ``noise``; SI. ``value`` is the "
-            "worst of all conditions, attractors and realisations, ``is_lower`` is True where it must be at least the limit; ``noise`` has ``realisations``, ``exceeded``, ``exceeded_fraction_low`` and "
+            "limits: ``name``, ``value``, ``limit``, ``is_lower``, ``violation``, ``active``, ``price``, ``noise``; SI. "
+            "``value`` is the worst of all conditions, attractors and realisations, ``is_lower`` is True where it must be at "
+            "least the limit; ``noise`` has ``realisations``, ``exceeded``, ``exceeded_fraction_low`` and "
             "``exceeded_fraction_high``, of other realisations than that of the search, or is ``None``"
         ),
     ]
@@ -104,7 +105,8 @@ class DesignResult(Result):
     warnings: Annotated[
         list[str],
         About(
-            "free keys that change neither a goal nor a limit at the best design, and a bifurcation nearer than the nearest fold, one sentence each"
+            "free keys that change neither a goal nor a limit at the best design, and a bifurcation nearer than the nearest fold, "
+            "one sentence each"
         ),
     ]
     trace_evaluation: Annotated[Floats, Along("step", "", "number of evaluated designs", "evaluation")]

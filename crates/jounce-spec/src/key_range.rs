@@ -82,8 +82,8 @@ pub(super) fn number(kind: Kind, text: &str) -> Result<f64, String> {
     Ok(DecimalNumber::read(kind, text)?.value)
 }
 
-/// Returns the values of a range. A value that stands twice would be computed twice, with results that
-/// no column tells apart.
+/// Returns the values of a range. A value that stands twice would be computed twice, with two results
+/// for one value of the key.
 fn points(kind: Kind, text: &str) -> Result<Vec<f64>, String> {
     let values = listed_points(kind, text)?;
     let mut sorted = values.clone();
