@@ -49,7 +49,8 @@ def _limit_text(limit: dict[str, Any]) -> str:
     state = ", not met" if limit["violation"] > 0 else ", binds" if limit["active"] else ""
     noise = limit["noise"]
     others = f", beyond it in {noise['exceeded']} of {noise['realisations']} other realisations of the noise" if noise else ""
-    return f"{limit['value']:.6g} of {limit['limit']:.6g}{state}{others}"
+    side = "at least" if limit["is_lower"] else "at most"
+    return f"{limit['value']:.6g} of {side} {limit['limit']:.6g}{state}{others}"
 
 
 def _noise_text(noise: dict[str, Any]) -> str:
@@ -90,8 +91,9 @@ class DesignResult(Result):
     limits: Annotated[
         list[dict[str, Any]],
         About(
-            "limits: ``name``, ``value``, ``limit``, ``violation``, ``active``, ``price``, ``noise``; SI. ``value`` is the worst of all "
-            "conditions, attractors and realisations; ``noise`` has ``realisations``, ``exceeded``, ``exceeded_fraction_low`` and "
+            "limits: ``name``, ``value``, ``limit``, ``is_lower``, ``violation``, ``active``, ``price``, ``noise``; SI. "
+            "``value`` is the worst of all conditions, attractors and realisations, ``is_lower`` is True where it must be at "
+            "least the limit; ``noise`` has ``realisations``, ``exceeded``, ``exceeded_fraction_low`` and "
             "``exceeded_fraction_high``, of other realisations than that of the search, or is ``None``"
         ),
     ]
@@ -100,7 +102,13 @@ class DesignResult(Result):
     feasible: Annotated[bool, About("True within all limits")]
     violation: Annotated[float, About("sum of the violations of the limits, each from 0 within the limit to 1 for an unknown value")]
     ended_by: Annotated[str, About('reason of the end: ``"converged"``, ``"evaluations"``, ``"seconds"`` or ``"stopped"``')]
-    warnings: Annotated[list[str], About("free keys that change neither a goal nor a limit at the best design, one sentence each")]
+    warnings: Annotated[
+        list[str],
+        About(
+            "free keys that change neither a goal nor a limit at the best design, and a bifurcation nearer than the nearest fold, "
+            "one sentence each"
+        ),
+    ]
     trace_evaluation: Annotated[Floats, Along("step", "", "number of evaluated designs", "evaluation")]
     trace_goal: Annotated[Floats, Along("step", "", "first goal of the best design", "goal")]
     trace_violation: Annotated[Floats, Along("step", "", "sum of its relative violations", "violation")]

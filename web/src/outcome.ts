@@ -9,6 +9,8 @@ interface Limit {
     name: string;
     value: number | null;
     limit: number;
+    /** True where the value must be at least the limit. */
+    is_lower: boolean;
     active: boolean;
     price: number | null;
     /** Amount, relative to the limit, by which it is exceeded. */
@@ -38,7 +40,7 @@ export class Outcome {
     show(head: Head): void {
         const { best, before, limits, warnings } = head;
         const goals = Object.keys(best.goals).map((name) => [name.replaceAll("-", " "), this.problem.goalText(name, before.goals[name]), this.problem.goalText(name, best.goals[name]), ""]);
-        const keys = (best.keys as Key[]).map((key) => [this.controls.title(key.key), this.value(key.key, key.before), this.value(key.key, key.value), key.at_end ? `at its ${key.at_end} end` : ""]);
+        const keys = (best.keys as Key[]).map((key) => [this.controls.title(key.key), this.value(key.before), this.value(key.value), key.at_end ? `at its ${key.at_end} end` : ""]);
         this.put([
             table("Before and after", ["", "before", "after", ""], [...goals, ...keys]),
             ...this.limits(limits),
@@ -48,7 +50,7 @@ export class Outcome {
 
     /** Shows the last better design of a search that was stopped. */
     showStopped(head: Head): void {
-        const keys = Object.entries(head.set as Record<string, string>).map(([key, value]) => [this.controls.title(key), this.value(key, value)]);
+        const keys = Object.entries(head.set as Record<string, string>).map(([key, value]) => [this.controls.title(key), this.value(value)]);
         const { goalName } = this.problem;
         this.put([
             table("Best design so far", ["", "value"], [[goalName.replaceAll("-", " "), this.problem.goalText(goalName, head.goal)], ...keys]),
@@ -62,17 +64,16 @@ export class Outcome {
         this.host.hidden = false;
     }
 
-    /** A value in SI as its control shows it. */
-    private value(key: string, text: string): string {
-        const si = Number(text.split(" ")[0]);
-        const control = this.controls.find(key);
-        return control && Number.isFinite(si) ? `${digits(si / control.factor, 4)} ${sign(control.unit)}`.trim() : text;
+    /** A number with its unit, with four digits; another text as it is. */
+    private value(text: string): string {
+        const [number, unit] = text.split(" ");
+        return text !== "" && Number.isFinite(Number(number)) ? `${digits(Number(number), 4)} ${sign(unit ?? "")}`.trim() : text;
     }
 
     private limits(limits: Limit[]): HTMLElement[] {
         if (limits.length === 0) return [];
-        const row = ({ name, value, limit, active, price, violation }: Limit) => [
-            name.replaceAll(".", " ").replaceAll("_", " "), value === null ? "unknown" : this.problem.limitText(name, value), this.problem.limitText(name, limit),
+        const row = ({ name, value, limit, is_lower, active, price, violation }: Limit) => [
+            name.replaceAll(".", " ").replaceAll("_", " "), value === null ? "unknown" : this.problem.limitText(name, value), `${is_lower ? "at least" : "at most"} ${this.problem.limitText(name, limit)}`,
             violation > 0 ? NOT_MET : active ? "binds" : "does not bind", price === null ? "" : this.problem.priceText(name, price),
         ];
         return [table("Limits", ["limit", "value", "allowed", "", "price"], limits.map(row))];

@@ -52,7 +52,9 @@ pub use journal::{Journal, JournalError};
 pub use key_line::KeyLine;
 pub use model::{AnalysisError, Model, has_same_modes};
 pub use model_at_start::ModelAtStart;
-pub use nearest_fold::{FoldPlace, nearest_fold};
+pub use nearest_fold::{
+    BifurcationPlace, FoldPlace, NearestBifurcations, nearest_bifurcations, nearest_fold,
+};
 pub use nearest_peak::{PeakDerivative, PeakPlace, nearest_peak};
 pub use orbit_derivatives::{
     AcrossGrazing, Derivative, DerivativeAccuracy, DerivativeKey, NearestGrazing, OrbitDerivatives,

@@ -19,6 +19,7 @@ mod output;
 mod progress;
 mod record;
 mod spec_arguments;
+mod usage_errors;
 mod value_error;
 
 use clap::{ArgMatches, CommandFactory, FromArgMatches};
@@ -35,10 +36,7 @@ fn main() -> ExitCode {
     };
     let (arguments, matches) = (command.clone().try_get_matches_from(&given))
         .and_then(read)
-        .unwrap_or_else(|error| {
-            let error = value_error::with_tip(error, &command, &given);
-            value_error::explained(error).exit()
-        });
+        .unwrap_or_else(|error| usage_errors::complete(error, &command, &given).exit());
     record::begin(std::env::args_os().skip(1));
     let json = arguments.command.wants_json();
     let work = || {

@@ -1,6 +1,7 @@
 //! Arguments of commands that read a recording.
 
 use crate::failure::Failure;
+use crate::option_names::on_command_line;
 use crate::output;
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
@@ -85,7 +86,7 @@ pub fn print_issues<'a>(issues: impl IntoIterator<Item = &'a Issue>) {
     for issue in issues {
         let text = match issue.kind.is_note() {
             true => format!("note: {issue}"),
-            false => issue.to_string(),
+            false => on_command_line(&issue.to_string()),
         };
         match messages.iter_mut().find(|(message, _)| *message == text) {
             Some((_, times)) => *times += 1,

@@ -24,7 +24,8 @@ pub struct DesignOutcome {
     pub violation: f64,
     /// Reason of the end of the search.
     pub ended_by: SearchEnd,
-    /// Free keys that change neither a goal nor a limit at the best design, one sentence each.
+    /// Free keys that change neither a goal nor a limit at the best design, and a bifurcation that is
+    /// nearer than the nearest fold, one sentence each.
     pub warnings: Vec<String>,
     /// Better and better designs.
     pub trace: Vec<TracePoint>,
@@ -120,6 +121,8 @@ pub struct LimitResult {
     pub value: f64,
     /// Limit, SI.
     pub limit: f64,
+    /// True where the value must be at least the limit, false where at most.
+    pub is_lower: bool,
     /// Share of the value beyond the limit or, of a limit from below, missing share of the limit; 0
     /// within it, 1 where the value is not known.
     pub violation: f64,
@@ -134,6 +137,13 @@ pub struct LimitResult {
 }
 
 impl LimitResult {
+    /// Returns the value and the limit in words, `6.0e-4 of at most 6.0e-4`.
+    pub fn comparison(&self, decimals: usize) -> String {
+        let side = if self.is_lower { "at least" } else { "at most" };
+        let (value, limit) = (self.value, self.limit);
+        format!("{value:.decimals$e} of {side} {limit:.decimals$e}")
+    }
+
     /// Returns whether the limit is met, in words.
     pub fn state(&self) -> &'static str {
         match (self.violation > 0.0, self.active) {

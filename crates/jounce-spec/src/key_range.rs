@@ -11,7 +11,7 @@
 
 use super::fault::Fault;
 use super::key::{Kind, Range};
-use super::nearest::clip;
+use super::nearest::{clip, join_words};
 use super::numeric_key::NumericKey;
 use jounce_units::{Decimal, Quantity};
 
@@ -30,14 +30,27 @@ impl KeyRange {
     /// unit.
     ///
     /// # Errors
-    /// A range that is empty, reversed, longer than a million points, in wrong units or beyond the
-    /// limits of the key.
+    /// A range that is empty, reversed, longer than a million points, in wrong units, with repeated
+    /// values or beyond the limits of the key.
     pub fn parse(key: NumericKey, text: &str) -> Result<Self, Fault> {
         let values = points(key.kind(), text).map_err(|reason| fault(&key, &reason))?;
         for value in &values {
             key.check(*value)?;
         }
         Ok(Self { key, values })
+    }
+
+    /// Reads the ends of a range, each with its unit, SI.
+    ///
+    /// # Errors
+    /// An end in wrong units or beyond the limits of the key.
+    pub fn ends(key: &NumericKey, from: &str, to: &str) -> Result<(f64, f64), Fault> {
+        let ends = all_or_reasons([from, to].map(|end| number(key.kind(), end)));
+        let ends = ends.map_err(|reason| fault(key, &reason))?;
+        for end in &ends {
+            key.check(*end)?;
+        }
+        Ok((ends[0], ends[1]))
     }
 
     /// Returns the key.
@@ -58,7 +71,8 @@ fn fault(key: &NumericKey, reason: &str) -> Fault {
 /// Reads the values of a range as [`KeyRange::parse`], for quantities of one kind, SI.
 ///
 /// # Errors
-/// A range that is empty, reversed, longer than a million points or in wrong units.
+/// A range that is empty, reversed, longer than a million points, in wrong units or with repeated
+/// values.
 pub fn quantity_range(quantity: Quantity, text: &str) -> Result<Vec<f64>, String> {
     points(Kind::Quantity(quantity), text)
 }
@@ -68,7 +82,31 @@ pub(super) fn number(kind: Kind, text: &str) -> Result<f64, String> {
     Ok(DecimalNumber::read(kind, text)?.value)
 }
 
+/// Returns the values of a range. A value that stands twice would be computed twice, with two results
+/// for one value of the key.
 fn points(kind: Kind, text: &str) -> Result<Vec<f64>, String> {
+    let values = listed_points(kind, text)?;
+    let mut sorted = values.clone();
+    sorted.sort_by(f64::total_cmp);
+    let mut repeated: Vec<f64> = sorted
+        .windows(2)
+        .filter(|pair| pair[0] == pair[1])
+        .map(|pair| pair[0])
+        .collect();
+    repeated.dedup();
+    let shown: Vec<String> = repeated.iter().map(|value| kind.show(*value)).collect();
+    let shown: Vec<&str> = shown.iter().map(String::as_str).collect();
+    match repeated.len() {
+        0 => Ok(values),
+        _ => Err(format!(
+            "\"{}\" has {} more than once; give each value once",
+            clip(text),
+            join_words(&shown)
+        )),
+    }
+}
+
+fn listed_points(kind: Kind, text: &str) -> Result<Vec<f64>, String> {
     let parts: Vec<&str> = text.split(':').map(str::trim).collect();
     let [from, to, spacing] = parts[..] else {
         if parts.len() != 1 {

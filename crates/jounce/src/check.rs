@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::harvester::Harvester;
+use jounce_analysis::run::{RunPlan, Warning};
 use jounce_data::recording::Issue;
 use jounce_plot::Drawing;
 use jounce_spec::Fault;
@@ -16,6 +17,8 @@ pub struct CheckResult {
     pub faults: Vec<Fault>,
     /// Data-quality issues of the recordings that the drives use.
     pub issues: Vec<DriveIssue>,
+    /// Warnings of a run that are known before its integration.
+    pub warnings: Vec<Warning>,
 }
 
 /// Data-quality issue of the recording of a drive.
@@ -34,13 +37,14 @@ impl CheckResult {
             valid: false,
             faults,
             issues: Vec::new(),
+            warnings: Vec::new(),
         }
     }
 }
 
 impl Harvester {
     /// Creates the model, which finds errors that no key shows alone, and lists the issues of
-    /// recordings.
+    /// recordings and the warnings that need no integration.
     ///
     /// # Errors
     /// [`Error::Analysis`] for a structure or circuit without a solution.
@@ -52,7 +56,8 @@ impl Harvester {
     /// # Ok::<(), jounce::Error>(())
     /// ```
     pub fn check(&self) -> Result<CheckResult, Error> {
-        self.model()?;
+        let model = self.model()?;
+        let plan = RunPlan::of(&model.spec.run, 0.0);
         let of_drive = |(drive, issue): (&str, &Issue)| DriveIssue {
             drive: drive.to_owned(),
             issue: issue.clone(),
@@ -61,6 +66,7 @@ impl Harvester {
             valid: true,
             faults: Vec::new(),
             issues: self.issues().map(of_drive).collect(),
+            warnings: Warning::of_model(&model.spec, &model.kernel.plant, &plan),
         })
     }
 

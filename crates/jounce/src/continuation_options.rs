@@ -29,11 +29,11 @@ pub(crate) fn range(
     let key = harvester.file().numeric_key(name.trim());
     let key = key.map_err(|faults| range_error(option, text, faults))?;
     check_continuous(&key, option, text)?;
-    let range = KeyRange::parse(key.clone(), &format!("{from},{to}"));
-    let range = range.map_err(|fault| range_error(option, text, fault))?;
-    match range.values() {
-        [low, high] if low < high => Ok((key, (*low, *high))),
-        _ => Err(invalid("the first value must be below the second")),
+    let ends = KeyRange::ends(&key, from, to);
+    let (low, high) = ends.map_err(|fault| range_error(option, text, fault))?;
+    match low < high {
+        true => Ok((key, (low, high))),
+        false => Err(invalid("the first value must be below the second")),
     }
 }
 

@@ -126,7 +126,9 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         })
     }
 
-    /// Returns the point at a fraction of the chord, which may lie slightly beyond the ends.
+    /// Returns the point at a fraction of the chord, which may lie slightly beyond the ends. `None` where
+    /// Newton's method does not converge; the caller then takes the ends of the piece, with its length as
+    /// their error.
     pub fn at(&self, x: f64) -> Option<PiecePoint> {
         let known = self
             .known
@@ -176,7 +178,8 @@ impl<'h, H: ParametricModel> CurvePiece<'h, H> {
         guess.offset_along(&self.direction, distance)
     }
 
-    /// Returns the orbit at a point, with its multipliers and its error.
+    /// Returns the orbit at a point, with its multipliers and its error; `None` where the integration
+    /// fails, as in [`Self::at`].
     pub fn orbit(&self, point: &PiecePoint) -> Option<Orbit> {
         self.shooting
             .orbit(&point.step.local, point.step.error)

@@ -4,11 +4,13 @@ use super::{RunResult, Warning};
 use jounce_model::plant::{Bridge, Plant};
 use jounce_spec::Spec;
 
-/// Returns a warning for each force that moves no mode, or one where nothing drives and nothing moves.
-pub(super) fn drives(spec: &Spec, plant: &Plant, result: &RunResult) -> Vec<Warning> {
-    if spec.drive.is_empty() && result.is_trivial() {
-        return vec![Warning::NoDrive];
-    }
+/// Returns a warning where nothing drives and nothing moves.
+pub(super) fn no_drive(spec: &Spec, result: &RunResult) -> Option<Warning> {
+    (spec.drive.is_empty() && result.is_trivial()).then_some(Warning::NoDrive)
+}
+
+/// Returns a warning for each force that moves no mode.
+pub(super) fn drives(spec: &Spec, plant: &Plant) -> Vec<Warning> {
     let system = &plant.system;
     let sines = system.drives.iter();
     let sines = sines.map(|drive| (&drive.name, &drive.shape, &drive.base));

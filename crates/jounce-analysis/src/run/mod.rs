@@ -8,6 +8,7 @@ mod extremes;
 mod ineffective;
 mod limits;
 mod model_limits;
+mod model_warnings;
 mod output_peak;
 mod output_row;
 mod plan;

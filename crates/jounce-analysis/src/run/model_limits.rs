@@ -1,9 +1,11 @@
 //! Limits of the model that a run exceeds: points of a force table, modes that a contact needs,
-//! thickness of a beam, a plate or a composite.
+//! thickness of a beam, a plate, a composite or a thin skin, damping ratios of modes that are not
+//! retained.
 
 use super::{RunResult, Warning};
 use jounce_dynamics::Kernel;
-use jounce_spec::{Plate, Spec, StopLaw, material};
+use jounce_model::plant::Plant;
+use jounce_spec::{Plate, Section, Spec, StopLaw, material};
 use std::f64::consts::{PI, TAU};
 
 /// Highest retained frequency times the contact duration below which the modes do not resolve a
@@ -33,16 +35,27 @@ const CANTILEVER_ROOT: f64 = 1.875_104;
 /// 335.
 const BEAM_SHEAR: f64 = 2.6 * (12.0 + 11.0 * 0.3) / (10.0 * 1.3);
 
-/// Returns the warnings of all limits.
-pub(super) fn exceeded(spec: &Spec, kernel: &Kernel, result: &RunResult) -> Vec<Warning> {
-    let rad_s = &kernel.plant.system.modes.frequency_rad_s;
-    let highest_hz = rad_s.iter().copied().fold(0.0, f64::max) / TAU;
+/// Returns the warnings of the limits that contacts exceed.
+pub(super) fn of_contacts(spec: &Spec, kernel: &Kernel, result: &RunResult) -> Vec<Warning> {
     let mut warnings = passed_tables(spec, result);
-    warnings.extend(short_contacts(spec, highest_hz, result));
-    warnings.extend(thick_beams(spec));
-    warnings.extend(thick_plates(spec, highest_hz));
-    warnings.extend(composites(spec));
+    warnings.extend(short_contacts(spec, highest_hz(&kernel.plant), result));
     warnings
+}
+
+/// Returns the warnings of the limits that the model exceeds.
+pub(super) fn of_model(spec: &Spec, plant: &Plant) -> Vec<Warning> {
+    let mut warnings = thick_beams(spec);
+    warnings.extend(thick_plates(spec, highest_hz(plant)));
+    warnings.extend(composites(spec));
+    warnings.extend(thick_skins(spec));
+    warnings.extend(unused_ratios(spec, plant));
+    warnings
+}
+
+/// Highest retained frequency, Hz.
+fn highest_hz(plant: &Plant) -> f64 {
+    let rad_s = &plant.system.modes.frequency_rad_s;
+    rad_s.iter().copied().fold(0.0, f64::max) / TAU
 }
 
 /// Tables whose last point the contact passed.
@@ -135,6 +148,31 @@ fn composites(spec: &Spec) -> Vec<Warning> {
         })
     });
     other.collect()
+}
+
+/// Patches of the section `thin-skin` that are thicker than their beam. With a laminate any ratio of
+/// thicknesses is allowed: the ceramic of a bimorph is often thicker than its shim.
+fn thick_skins(spec: &Spec) -> Vec<Warning> {
+    let thick = spec.patch.iter().filter_map(|(name, patch)| {
+        let beam = spec.beam.get(&patch.on)?;
+        let is_thick = patch.section == Section::ThinSkin && patch.thickness_m > beam.thickness_m;
+        is_thick.then(|| Warning::ThickSkin {
+            patch: name.clone(),
+            thickness_m: patch.thickness_m,
+            beam_thickness_m: beam.thickness_m,
+        })
+    });
+    thick.collect()
+}
+
+/// Damping ratios that no retained mode takes.
+fn unused_ratios(spec: &Spec, plant: &Plant) -> Option<Warning> {
+    let listed = spec.damping.ratios.len();
+    let unused = plant.system.modes.unused_damping_ratios;
+    (unused > 0).then(|| Warning::UnusedRatios {
+        listed,
+        used: listed - unused,
+    })
 }
 
 /// Half the length of a straight wave of a frequency on a thin plate, m.

@@ -2,25 +2,19 @@
 
 use super::{
     ExceededLimit, Limits, OutputPeaks, RunPlan, RunResult, StopResult, ineffective, model_limits,
-    polarity, subject::named,
+    subject::named,
 };
 use jounce_data::recording::Issue;
 use jounce_dynamics::Kernel;
 use jounce_model::plant::Plant;
-use jounce_spec::{DriveSignal, Spec};
+use jounce_spec::Spec;
 use serde::{Deserialize, Serialize};
-
-/// Fraction of the averaging window that may lie after the end of a recording.
-const MAX_UNRECORDED_SHARE: f64 = 0.01;
 
 /// Samples within the mean contact below which its force is not resolved.
 const SAMPLES_PER_CONTACT: f64 = 10.0;
 
 /// Deflection of a beam, relative to its length, up to which the linear model has no warning.
 pub const MAX_DEFLECTION_SHARE: f64 = 0.1;
-
-/// Share of the averaging window outside whole periods below which its effect on the means is small.
-const MAX_PART_OF_PERIOD: f64 = 0.01;
 
 /// A warning of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
@@ -162,6 +156,28 @@ pub enum Warning {
         /// Thickness of the product, m.
         product_m: f64,
     },
+    /// A patch of the section `thin-skin` is not thin.
+    #[error(
+        "{}: it is {:.2} times as thick as its beam, but `section = \"thin-skin\"` is for a skin that is thin against the beam: it neglects the mass of the patch and the shift of the neutral axis; give `section = \"laminate\"`, or another thickness", named("patch", patch), thickness_m / beam_thickness_m
+    )]
+    ThickSkin {
+        /// Name of the patch.
+        patch: String,
+        /// Thickness of the patch, m.
+        thickness_m: f64,
+        /// Thickness of its beam, m.
+        beam_thickness_m: f64,
+    },
+    /// Damping ratios for modes that are not retained.
+    #[error(
+        "damping.ratios has {listed} numbers, but only {used} retained modes need one: all after number {used} are without effect; shorten the list, or retain more modes (`reduction.modes`)"
+    )]
+    UnusedRatios {
+        /// Length of the list.
+        listed: usize,
+        /// Number of retained modes that take a ratio from it.
+        used: usize,
+    },
     /// A beam bends too far for the linear model.
     #[error(
         "{}: its deflection reaches {:.0} % of its length; the linear model holds up to about {:.0} %", named("beam", beam), 100.0 * share, 100.0 * MAX_DEFLECTION_SHARE
@@ -209,33 +225,6 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// Returns a warning for each recording of a spec that ends before the averaging window of a
-    /// plan.
-    pub fn of_recordings(spec: &Spec, plan: &RunPlan) -> Vec<Self> {
-        let (from_s, to_s) = (plan.duration_s - plan.average_over_s, plan.duration_s);
-        let ends = spec
-            .drive
-            .iter()
-            .filter_map(|(name, drive)| match &drive.signal {
-                DriveSignal::Recording {
-                    start_s,
-                    record: Some(record),
-                    ..
-                } => Some((name.clone(), start_s + record.duration_s())),
-                _ => None,
-            });
-        let early =
-            ends.filter(|(_, ends_s)| to_s - ends_s > MAX_UNRECORDED_SHARE * plan.average_over_s);
-        early
-            .map(|(drive, ends_s)| Self::RecordingEnds {
-                drive,
-                ends_s: printed(ends_s),
-                from_s: printed(from_s),
-                to_s,
-            })
-            .collect()
-    }
-
     /// Returns a warning for each stop whose contacts samples at a rate do not resolve: `n` samples
     /// within a half-sine pulse miss its peak by up to `1 - cos(pi / (2 n))`, 1.2 % for ten. A shorter
     /// or steeper pulse than the mean one needs more.
@@ -272,22 +261,11 @@ impl Warning {
         large.collect()
     }
 
-    /// Returns a warning where a part of the averaging window is outside whole periods of the drives.
-    fn of_window(plant: &Plant, plan: &RunPlan) -> Option<Self> {
-        let period_s = plant.period_s()?;
-        let periods = plan.average_over_s / period_s;
-        let part = (periods - periods.round()).abs() / periods;
-        (part > MAX_PART_OF_PERIOD).then_some(Self::PartOfPeriod {
-            average_over_s: plan.average_over_s,
-            period_s,
-        })
-    }
-
     /// Returns the stop, beam, plate, circuit, drive or patch that the warning names; empty for none.
     pub fn subject(&self) -> &str {
         match self {
             Self::Limit(exceeded) => &exceeded.patch,
-            Self::CompositeThickness { patch, .. } => patch,
+            Self::CompositeThickness { patch, .. } | Self::ThickSkin { patch, .. } => patch,
             Self::RecordingEnds { drive, .. }
             | Self::Recording { drive, .. }
             | Self::Ineffective { drive } => drive,
@@ -297,7 +275,10 @@ impl Warning {
             | Self::Undersampled { stop, .. } => stop,
             Self::ThickPlate { plate, .. } => plate,
             Self::ThickBeam { beam, .. } | Self::LargeDeflection { beam, .. } => beam,
-            Self::PartOfPeriod { .. } | Self::NoDrive | Self::Unbalanced { .. } => "",
+            Self::PartOfPeriod { .. }
+            | Self::NoDrive
+            | Self::UnusedRatios { .. }
+            | Self::Unbalanced { .. } => "",
         }
     }
 
@@ -320,18 +301,11 @@ impl Warning {
         });
         limits
             .chain(ineffective::devices(&kernel.plant, result))
-            .chain(Self::of_recordings(spec, plan))
             .chain(noticed)
-            .chain(model_limits::exceeded(spec, kernel, result))
-            .chain(polarity::cancelling(&kernel.plant))
-            .chain(Self::of_window(&kernel.plant, plan))
-            .chain(ineffective::drives(spec, &kernel.plant, result))
+            .chain(model_limits::of_contacts(spec, kernel, result))
+            .chain(Self::of_model(spec, &kernel.plant, plan))
+            .chain(ineffective::no_drive(spec, result))
             .chain(unbalanced)
             .collect()
     }
-}
-
-/// Rounds a sum of decimal times to nine digits after the point.
-fn printed(time_s: f64) -> f64 {
-    format!("{time_s:.9e}").parse().unwrap_or(time_s)
 }

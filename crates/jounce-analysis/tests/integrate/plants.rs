@@ -44,6 +44,7 @@ pub fn springs(frequencies_hz: &[f64], damping_ratio: f64) -> System {
         participation_sqrt_kg: vec![1.0; count],
         base_sqrt_kg: std::collections::BTreeMap::new(),
         discretisation_error: vec![0.0; count],
+        ..jounce_model::structure::Modes::default()
     };
     System {
         modes: modes.into(),

@@ -91,6 +91,7 @@ fn modes() -> impl Strategy<Value = Modes> {
         participation_sqrt_kg: vec![0.0; modes.len()],
         base_sqrt_kg: BTreeMap::new(),
         discretisation_error: vec![0.0; modes.len()],
+        ..Modes::default()
     })
 }
 

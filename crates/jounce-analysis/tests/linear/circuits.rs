@@ -31,6 +31,7 @@ fn modes() -> Modes {
         participation_sqrt_kg: vec![0.3, 0.1, -0.05],
         base_sqrt_kg: BTreeMap::new(),
         discretisation_error: vec![0.0; 3],
+        ..Modes::default()
     }
 }
 

@@ -53,6 +53,13 @@ fn a_run_outside_the_model_gives_a_warning() {
         let warnings = run["warnings"].as_array().unwrap();
         let has = warnings.iter().any(|warning| warning["warning"] == kind);
         assert!(code == 0 && has && text.contains(part), "{key}: {text}");
+        // What needs no integration is known to `check`.
+        let (code, check, text) = jounce(&["check", &spec, "--json", "--set", key]);
+        let is_known = check["warnings"].to_string().contains(kind) && text.contains(part);
+        assert!(
+            code == 0 && is_known == (kind != "large-deflection"),
+            "{key}: {check} {text}"
+        );
     }
     let whole = [
         "run.average_over=0.3333333333333333 s",
@@ -63,6 +70,38 @@ fn a_run_outside_the_model_gives_a_warning() {
     let still = write_spec(&folder, STRIP);
     let (_, _, text) = jounce(&["run", &still]);
     assert!(text.contains("the spec has no drive"), "{text}");
+}
+
+/// A list of damping ratios is longer than the modes, and a thin skin thicker than its beam; a laminate
+/// may be, as the ceramic of a bimorph on its shim.
+#[test]
+fn what_the_model_ignores_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = write_spec(&folder, &format!("{STRIP}{SINE}"));
+    let warnings = |set: &[&str]| {
+        let set = set.iter().flat_map(|one| ["--set", one]);
+        let whole = ["--set", "run.average_over=0.3333333333333333 s"];
+        let arguments = ["check", &spec, "--json"].into_iter().chain(whole);
+        let arguments: Vec<&str> = arguments.chain(set).collect();
+        let (code, check, text) = jounce(&arguments);
+        assert_eq!(code, 0, "{text}");
+        check["warnings"].clone()
+    };
+    let ratios = ["damping.ratios=[0.01, 0.02, 0.03]", "reduction.modes=2"];
+    let found = warnings(&ratios);
+    assert_eq!(found[0]["warning"], "unused-ratios", "{found}");
+    assert_eq!(
+        (&found[0]["listed"], &found[0]["used"]),
+        (&3.into(), &2.into())
+    );
+    assert_eq!(
+        warnings(&[ratios[0], "reduction.modes=3"]),
+        serde_json::json!([])
+    );
+    let skin = ["patch.m.section=thin-skin", "beam.s.thickness=0.2 mm"];
+    let found = warnings(&skin);
+    assert_eq!(found[0]["warning"], "thick-skin", "{found}");
+    assert_eq!(warnings(&skin[1..]), serde_json::json!([]));
 }
 
 /// Penetrations of 0.6 um at displacements of 300 um: their roundoff is 7e-12 of the energy.

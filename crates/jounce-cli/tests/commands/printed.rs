@@ -12,6 +12,28 @@ fn printed(arguments: &[&str]) -> (String, String) {
     (stdout, stderr)
 }
 
+/// A force on one of two masses that stand apart moves only that one.
+#[test]
+fn a_response_of_zero_is_said_in_text_and_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let mass = |name: &str| {
+        format!("[mass.{name}]\nmass = \"1 kg\"\nfrequency = \"10 Hz\"\ndamping_ratio = 0.1\n")
+    };
+    let run = "[run]\nduration = \"1 s\"\naverage_over = \"1 s\"\n";
+    let spec = folder.path().join("two.toml");
+    std::fs::write(&spec, format!("{}{}{run}", mass("a"), mass("b"))).unwrap();
+    let out = folder.path().join("out");
+    let [spec, out] = [&spec, &out].map(|path| path.to_str().unwrap());
+    let (text, _) = printed(&["frf", spec, "--input", "a", "--out", out]);
+    assert!(text.contains("a.acceleration: highest "), "{text}");
+    assert!(
+        text.contains("b.acceleration: 0 at every frequency"),
+        "{text}"
+    );
+    let picture = std::fs::read_to_string(format!("{out}/frf-b.acceleration.svg")).unwrap();
+    assert!(picture.contains("b.acceleration: 0 at every frequency"));
+}
+
 /// A stepped sweep carries the motion over any key. Small values of a key keep their digits.
 #[test]
 fn a_sweep_names_its_key_and_where_its_points_start() {

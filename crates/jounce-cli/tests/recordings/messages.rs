@@ -69,6 +69,11 @@ const CASES: &[(&[&str], i32, &str)] = &[
         0,
         "its times, which give 100 Hz, are replaced by the given rate of 10 Hz",
     ),
+    (
+        &["power", "two.csv", "--resistance", "1kohm"],
+        0,
+        "piezo: it is the first of the 2 channels in V: piezo, other; choose another with --voltage",
+    ),
 ];
 
 #[test]
@@ -87,6 +92,11 @@ fn messages_name_the_cause_and_the_remedy() {
         (0..400).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3)]),
     );
     csv(
+        &folder_path.join("two.csv"),
+        "time [s],piezo [V],other [V]",
+        (0..400).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3), f64::from(k % 4)]),
+    );
+    csv(
         &folder_path.join("counts.csv"),
         "time [s],piezo",
         (0..400).map(|k| vec![f64::from(k) * 1e-2, f64::from(1000 * (k % 3))]),
@@ -98,4 +108,14 @@ fn messages_name_the_cause_and_the_remedy() {
         assert_eq!(exit_code, *code, "{arguments:?}: {stderr}");
         assert!(stderr.contains(message), "{arguments:?}: {stderr}");
     }
+    let chosen = [
+        "power",
+        "two.csv",
+        "--resistance",
+        "1kohm",
+        "--voltage",
+        "other",
+    ];
+    let (_, _, stderr) = jounce(folder_path, &chosen);
+    assert_eq!(stderr, "");
 }

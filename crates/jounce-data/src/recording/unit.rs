@@ -99,7 +99,7 @@ const QUOTIENT_QUANTITIES: [Quantity; 6] = [
 ];
 
 impl Unit {
-    /// Parses a unit in instrument notation (`m/s2`, `m/s²`, `Pounds`, `[g]`, `cm/s/s`, `g/N`);
+    /// Parses a unit in instrument notation (`G`, `m/s2`, `m/s²`, `Pounds`, `[g]`, `cm/s/s`, `g/N`);
     /// `None` if unknown.
     pub fn read(text: &str) -> Option<Self> {
         Self::read_plain(text).or_else(|| {
@@ -192,6 +192,7 @@ mod tests {
         let cases = [
             ("g", Quantity::Acceleration, 9.80665),
             ("G's", Quantity::Acceleration, 9.80665),
+            ("(G)", Quantity::Acceleration, 9.80665),
             ("m/s2", Quantity::Acceleration, 1.0),
             ("[m/s\u{b2}]", Quantity::Acceleration, 1.0),
             ("m/s/s", Quantity::Acceleration, 1.0),
@@ -235,7 +236,7 @@ mod tests {
 
     /// Unit, its SI unit, quantity of the numerator, and factor: the quotient of two factors of NIST
     /// SP 811, appendix B.8.
-    const RESPONSES: [(&str, &str, Quantity, f64); 19] = [
+    const RESPONSES: [(&str, &str, Quantity, f64); 20] = [
         ("m/s^2/N", "m/s^2/N", Quantity::Acceleration, 1.0),
         ("(m/s^2)/N", "m/s^2/N", Quantity::Acceleration, 1.0),
         ("[m/s2/N]", "m/s^2/N", Quantity::Acceleration, 1.0),
@@ -249,6 +250,7 @@ mod tests {
         ),
         ("m/s/s/N", "m/s^2/N", Quantity::Acceleration, 1.0),
         ("g/N", "m/s^2/N", Quantity::Acceleration, 9.80665),
+        ("G/N", "m/s^2/N", Quantity::Acceleration, 9.80665),
         (
             "g/lbf",
             "m/s^2/N",

@@ -1,7 +1,7 @@
 //! Spellings of units in files.
 
 /// Words for unit symbols, in lower case.
-const UNIT_SPELLINGS: [(&str, &str); 15] = [
+const UNIT_SPELLINGS: [(&str, &str); 16] = [
     ("volts", "V"),
     ("volt", "V"),
     ("newton", "N"),
@@ -13,6 +13,7 @@ const UNIT_SPELLINGS: [(&str, &str); 15] = [
     ("sec", "s"),
     ("hertz", "Hz"),
     ("pascal", "Pa"),
+    ("g", "g"),
     ("gs", "g"),
     ("g's", "g"),
     ("m/s/s", "m/s^2"),

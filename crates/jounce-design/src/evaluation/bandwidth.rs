@@ -35,7 +35,8 @@ pub(super) fn half_power_hz(
     let key = NumericKey::find(&model.spec, &path)?;
     let range = (RANGE[0] * frequency_hz, RANGE[1] * frequency_hz);
     let parameter = Parameter::new(model, &key, range.1 - range.0);
-    // A design whose branches cannot be followed has no bandwidth.
+    // A design whose branches cannot be followed has no known bandwidth: 0 ranks it below all whose
+    // branches are known, and leaves it its other goals, which a failed evaluation would lose.
     let branches = match known {
         Some(orbits) => {
             let known = |orbit: &MainOrbit| KnownOrbit {

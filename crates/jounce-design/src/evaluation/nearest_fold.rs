@@ -3,7 +3,10 @@
 use super::MainOrbit;
 use crate::problem::Tolerance;
 use crate::result::NearestFold;
-use jounce_analysis::{Derivative, DerivativeKey, FoldPlace, Model, farthest_hz, nearest_fold};
+use jounce_analysis::{
+    BifurcationPlace, Derivative, DerivativeKey, FoldPlace, Model, farthest_hz,
+    nearest_bifurcations, nearest_fold,
+};
 
 /// Returns the distance of the nearest fold from the frequency of the drive, Hz: that of the end of
 /// the range without a fold; NaN where the branch cannot be followed.
@@ -18,19 +21,36 @@ pub fn fold_distance_hz(model: &Model, orbit: &MainOrbit) -> f64 {
     }
 }
 
-/// Returns the nearest fold with its scatter by tolerances.
+/// Returns the nearest fold with its scatter by tolerances, and a sentence where the branch cannot be
+/// followed or another bifurcation is nearer.
 pub fn examined_fold(
     model: &Model,
     orbit: &MainOrbit,
     tolerances: &[Tolerance],
-) -> Option<NearestFold> {
-    let fold = nearest_fold(model, orbit.period_cycles, &orbit.state).ok()??;
-    Some(NearestFold {
+) -> (Option<NearestFold>, Option<String>) {
+    let Ok(found) = nearest_bifurcations(model, orbit.period_cycles, &orbit.state) else {
+        let text = "the branch of the best orbit over the frequency of the drive could not be followed, so that its nearest fold is not known; `jounce branch` on the best design shows where it ends";
+        return (None, Some(text.to_owned()));
+    };
+    let fold = found.fold.map(|fold| NearestFold {
         scatter_hz: scatter_hz(model, &fold, tolerances),
         key: fold.key,
         frequency_hz: fold.frequency_hz,
         distance_hz: fold.distance_hz,
-    })
+    });
+    (fold, found.nearer.map(nearer_text))
+}
+
+fn nearer_text(nearer: BifurcationPlace) -> String {
+    let BifurcationPlace {
+        kind,
+        frequency_hz,
+        distance_hz,
+    } = nearer;
+    format!(
+        "the branch of the best orbit over the frequency of the drive has a bifurcation of the kind {} at {frequency_hz:.6} Hz, {distance_hz:.3e} Hz away and nearer than any fold: the orbit may lose its stability there (`jounce branch` shows its stable ranges)",
+        kind.name()
+    )
 }
 
 /// Returns the standard deviation of the frequency of a fold by tolerances, to first order; `None`

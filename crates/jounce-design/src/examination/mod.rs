@@ -36,11 +36,13 @@ pub fn examine(
         .as_ref()
         .and_then(|orbit| Followed::start(evaluator, &best.place, orbit));
     let orbit = followed.as_ref().zip(evaluation.orbit.as_ref());
-    let nearest_fold = orbit
-        .and_then(|(followed, orbit)| examined_fold(&followed.model, orbit, &problem.tolerances));
+    let (nearest_fold, nearer) = orbit.map_or((None, None), |(followed, orbit)| {
+        examined_fold(&followed.model, orbit, &problem.tolerances)
+    });
     let noise = Noise::of(evaluator, &best.place)?;
     let mut warnings = effects::warnings(evaluator, best, followed.as_ref())?;
     warnings.extend(effects::unsettled(problem, evaluation));
+    warnings.extend(nearer);
     Ok(DesignOutcome {
         warnings,
         limits: limits(problem, best, followed.as_ref(), noise.as_ref()),
@@ -83,6 +85,7 @@ fn limits(
         name: limit.name.clone(),
         value: *value,
         limit: limit.value,
+        is_lower: limit.is_lower(),
         violation: limit.violation(*value),
         active: match limit.is_lower() {
             true => value * ACTIVE_SHARE <= limit.value,

@@ -7,6 +7,9 @@ use jounce_spec::{KeyRange, NumericKey, SpecFile};
 /// read.
 const DIGITS: usize = 6;
 
+/// Decimals with which every number is exact.
+const MOST_DECIMALS: usize = 16;
+
 /// Numbers between two ends.
 #[derive(Debug, Clone)]
 pub struct FreeRange {
@@ -18,6 +21,8 @@ pub struct FreeRange {
     pub high: f64,
     /// True where the logarithm of the value is searched evenly.
     pub logarithmic: bool,
+    /// Units of both ends as written, the smaller unit first; empty for plain numbers.
+    units: [String; 2],
 }
 
 impl FreeRange {
@@ -33,19 +38,21 @@ impl FreeRange {
             )]
         };
         let (from, to, logarithmic) = ends(text).ok_or_else(wrong)?;
-        let range =
-            KeyRange::parse(key, &format!("{from},{to}")).map_err(|fault| vec![fault.message])?;
-        let [low, high] = range.values()[..] else {
-            return Err(wrong());
-        };
+        let (low, high) = KeyRange::ends(&key, &from, &to).map_err(|fault| vec![fault.message])?;
         if low >= high || (logarithmic && low <= 0.0) {
             return Err(wrong());
         }
+        let mut units = [&from, &to].map(|end| unit_of(end).to_owned());
+        let size = |unit: &String| key.size_of(unit).unwrap_or(1.0);
+        if size(&units[0]) > size(&units[1]) {
+            units.reverse();
+        }
         Ok(Self {
-            key: range.key().clone(),
+            key,
             low,
             high,
             logarithmic,
+            units,
         })
     }
 
@@ -66,7 +73,10 @@ impl FreeRange {
         let value = self.at(place);
         let rounded = match self.key.is_count() {
             true => value.round(),
-            false => format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value),
+            false => {
+                let text = self.written(value, DIGITS - 1);
+                self.key.read(&text).unwrap_or(value)
+            }
         };
         rounded.clamp(self.low, self.high)
     }
@@ -96,14 +106,31 @@ impl FreeRange {
         }
     }
 
-    /// Returns a number, SI, as text with its unit.
+    /// Returns a number, SI, as text in a unit of the range with the fewest digits that give the number
+    /// again; where no digits do, in the SI unit.
     pub(super) fn text(&self, value: f64) -> String {
-        match self.key.is_count() {
-            true => value.to_string(),
-            false => format!("{value:?} {}", self.key.unit())
-                .trim_end()
-                .to_owned(),
+        if self.key.is_count() {
+            return value.to_string();
         }
+        let in_unit = (0..=MOST_DECIMALS).map(|decimals| self.written(value, decimals));
+        let mut exact = in_unit.filter(|text| self.key.read(text) == Ok(value));
+        exact.next().unwrap_or_else(|| {
+            let text = format!("{value:?} {}", self.key.unit());
+            text.trim_end().to_owned()
+        })
+    }
+
+    /// Returns a number, SI, with one digit before the decimal point and some after it, as text in the
+    /// larger unit of the range of which it is at least one, else in the smaller one.
+    fn written(&self, value: f64, decimals: usize) -> String {
+        let sizes = (self.units.each_ref()).map(|unit| self.key.size_of(unit).unwrap_or(1.0));
+        let larger = usize::from(value.abs() >= sizes[1]);
+        let rounded = format!("{:.decimals$e}", value / sizes[larger]);
+        let number = rounded.parse().unwrap_or(value / sizes[larger]);
+        let unit = &self.units[larger];
+        let number = format!("{number:?}");
+        let number = number.strip_suffix(".0").unwrap_or(&number);
+        format!("{number} {unit}").trim_end().to_owned()
     }
 }
 
@@ -150,7 +177,18 @@ mod tests {
         for text in ["0.2mm:3mm", "0.2 mm:3 mm"] {
             let gap = range("stop.s.gap", text);
             assert_eq!((gap.value(0.0), gap.value(1.0)), (0.2e-3, 3e-3));
-            assert_eq!(gap.text(gap.value(1.0)), "0.003 m");
+            assert_eq!(gap.text(gap.value(1.0)), "3 mm");
+            assert_eq!(gap.text(1e-3), "1 mm");
+        }
+        let load = range("drive.d.amplitude", "20mN:5N:log");
+        let texts = [0.02, 0.1234567890123, 1.0, 2.5].map(|value| load.text(value));
+        assert_eq!(texts, ["20 mN", "123.4567890123 mN", "1 N", "2.5 N"]);
+        // A factor that is no power of ten.
+        let speed = range("drive.d.frequency", "60rpm:1000rpm");
+        assert_eq!(speed.text(speed.value(0.123456789)), "176.049 rpm");
+        for place in [0.0, 0.1, 0.77, 1.0] {
+            let value = speed.value(place);
+            assert_eq!(speed.key.read(&speed.text(value)), Ok(value));
         }
         for text in ["100:1e5:log N/m^1.5", "100 N/m^1.5:1e5 N/m^1.5:log"] {
             let stiffness = range("stop.s.stiffness", text);

@@ -37,7 +37,7 @@ const BATCH: usize = 8;
 
 /// Searches for the best design of a problem, and examines it. After a stop by the control, the
 /// best design so far is the result. `journal` keeps the evaluations, from which an interrupted
-/// search resumes. `improved` is called with each better design; the result does not depend on it.
+/// search resumes. The control counts the evaluated designs of at most `evaluations`. `improved` is called with each better design; the result does not depend on it.
 ///
 /// # Errors
 /// No model can be built, no design can be evaluated, the journal cannot be written, or the search is
@@ -49,6 +49,7 @@ pub fn design(
     improved: Option<OnImprovement<'_>>,
 ) -> Result<DesignOutcome, DesignError> {
     let begin = Instant::now();
+    control.expect(problem.evaluations);
     let mut evaluator = Evaluator::new(problem, control, journal)?;
     evaluator.improved = improved;
     let budget = Budget {

@@ -3,7 +3,7 @@
 use super::outcome_of;
 use jounce_analysis::Model;
 use jounce_linalg::c64;
-use jounce_spec::SpecFile;
+use jounce_spec::{Quantity, SpecFile};
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -25,10 +25,7 @@ fn the_best_patch_covers_the_root_up_to_half_the_mean_strain() {
         "[free]\n\"patch.p.length\" = \"10mm:90mm\"\n\"circuit.load.resistance\" = \"100ohm:100kohm:log\"\n\
          [goal]\nmaximise = \"expected-power\"\nstarts = 2\n",
     );
-    let length_m: f64 = found.best.set["patch.p.length"]
-        .trim_end_matches(" m")
-        .parse()
-        .unwrap();
+    let length_m = (Quantity::Length.read(&found.best.set["patch.p.length"])).unwrap();
     let expected_m = 0.1 * half_of_mean_strain();
     assert!(
         (length_m / expected_m - 1.0).abs() < 1e-4,
@@ -81,7 +78,7 @@ fn the_best_loads_of_a_bimorph_at_both_resonances_are_those_of_the_closed_form()
              [goal]\nmaximise = \"expected-power\"\nstarts = 2\n",
         );
         let text = &found.best.set["circuit.load.resistance"];
-        let found_ohm: f64 = text.trim_end_matches(" ohm").parse().unwrap();
+        let found_ohm = Quantity::Resistance.read(text).unwrap();
         let power_w = found.best.mean_power_w;
         eprintln!("{found_ohm} ohm of {best_ohm}, {power_w} W of {expected_w}");
         assert!(

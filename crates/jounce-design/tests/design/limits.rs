@@ -1,6 +1,7 @@
 //! Limits of sizes, of the nearest fold and of runs; a band as conditions.
 
 use super::{LINEAR, linear_at, outcome, outcome_of, problem};
+use jounce_spec::Quantity;
 
 const CANTILEVER: &str = "[beam.b]\nyoungs_modulus = \"200 GPa\"\ndensity = \"7800 kg/m^3\"\nlength = \"100 mm\"\nwidth = \"20 mm\"\nthickness = \"1 mm\"\n\
     [patch.p]\non = \"b\"\nmaterial = \"MFC-P2\"\nstart = \"0 mm\"\nlength = \"20 mm\"\nwidth = \"20 mm\"\nthickness = \"0.3 mm\"\n\
@@ -64,6 +65,27 @@ fn a_distance_to_the_nearest_fold_is_at_most_that_of_the_searched_range() {
     assert!(kept.feasible && (kept.limits[0].value - 0.3 * 9.7).abs() < 1e-12);
     let broken = outcome(&text("3 Hz"));
     assert!(!broken.feasible && broken.violation < 0.04, "{broken:?}");
+}
+
+/// The orbit of the 2019 harvester at 13 Hz loses its stability at 12.802 Hz, where runs stop settling;
+/// its nearest fold lies at 12.590 Hz.
+#[test]
+fn a_bifurcation_nearer_than_the_fold_is_a_warning() {
+    let spec = include_str!("../../../../examples/impact-harvester-2019/harvester.toml");
+    let found = outcome_of(
+        spec,
+        "evaluations = 1\n[free]\n\"circuit.load.resistance\" = \"900kohm:1Mohm\"\n\
+         [goal]\nmaximise = \"stable-power\"\nstarts = 2\n",
+    );
+    let fold = found.best.nearest_fold.as_ref().unwrap();
+    assert!((fold.frequency_hz - 12.590).abs() < 1e-3, "{fold:?}");
+    let [warning] = &found.warnings[..] else {
+        panic!("{:?}", found.warnings)
+    };
+    assert!(
+        warning.contains("neimark-sacker at 12.802") && warning.contains("1.977e-1 Hz away"),
+        "{warning}"
+    );
 }
 
 /// Under noise the voltage of the averaging window has a limit too.
@@ -145,8 +167,9 @@ fn limits_hold_in_each_condition() {
     let found = outcome(&text(
         "mean_power = \"1 uW\"\n\"patch.m.p.voltage\" = \"1 kV\"",
     ));
-    let load_ohm = found.best.set["circuit.load.resistance"].trim_end_matches(" ohm");
-    let [low, high] = [9.0, 10.0].map(|hz| linear_at(load_ohm.parse().unwrap(), hz));
+    let load = &found.best.set["circuit.load.resistance"];
+    let load_ohm = Quantity::Resistance.read(load).unwrap();
+    let [low, high] = [9.0, 10.0].map(|hz| linear_at(load_ohm, hz));
     let [power, voltage] = [0, 1].map(|index| found.limits[index].value);
     assert!((power / low.1.min(high.1) - 1.0).abs() < 1e-6, "{found:?}");
     assert!(

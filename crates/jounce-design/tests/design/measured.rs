@@ -6,7 +6,7 @@ use super::{
 use jounce_design::Problem;
 use jounce_linalg::c64;
 use jounce_signal::RandomStream;
-use jounce_spec::SpecFile;
+use jounce_spec::{Quantity, SpecFile};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use std::io::Write;
@@ -62,13 +62,7 @@ fn the_best_load_under_noise_is_that_of_a_scan() {
 
 /// Returns a resistance from its text with the unit.
 fn load_ohm(text: &str) -> f64 {
-    let (number, unit) = text.split_once(' ').unwrap();
-    let factor = match unit {
-        "ohm" => 1.0,
-        "kohm" => 1e3,
-        other => panic!("{other}"),
-    };
-    factor * number.parse::<f64>().unwrap()
+    Quantity::Resistance.read(text).unwrap()
 }
 
 /// Returns `S / R` times the integral of `|V / F|^2` over the band from 5 to 20 Hz.

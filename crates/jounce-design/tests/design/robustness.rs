@@ -5,7 +5,7 @@ use jounce_analysis::{Basins, Cloud, InitialStates, Model, Recognition};
 use jounce_control::Control;
 use jounce_design::{Problem, Robustness, design};
 use jounce_signal::RandomStream;
-use jounce_spec::{NumericKey, SpecFile};
+use jounce_spec::{NumericKey, Quantity, SpecFile};
 use rayon::prelude::*;
 use std::io::Write;
 use std::path::Path;
@@ -55,7 +55,7 @@ fn quantiles_are_those_of_designs_computed_one_by_one() {
         "draws = 1024\n{LOAD}[tolerance]\n\"circuit.load.resistance\" = \"20 kohm normal\"\n"
     ));
     let text = &found.best.set["circuit.load.resistance"];
-    let nominal: f64 = text.trim_end_matches(" ohm").parse().unwrap();
+    let nominal = Quantity::Resistance.read(text).unwrap();
     let mut stream = RandomStream::new(7, 0);
     let powers: Vec<f64> = (0..10_000)
         .map(|_| linear((nominal + 20e3 * stream.normal_pair()[0]).max(1.0)).1)
@@ -71,7 +71,7 @@ fn sobol_indices_are_those_of_a_grid() {
         "draws = 2048\n{LOAD}[tolerance]\n\"circuit.load.resistance\" = \"60 kohm\"\n\"drive.d.amplitude\" = \"0.05 N\"\n"
     ));
     let text = &found.best.set["circuit.load.resistance"];
-    let nominal: f64 = text.trim_end_matches(" ohm").parse().unwrap();
+    let nominal = Quantity::Resistance.read(text).unwrap();
     let cells = 400;
     let place = |k: usize| 2.0 * (k as f64 + 0.5) / f64::from(cells) - 1.0;
     let cells = cells as usize;

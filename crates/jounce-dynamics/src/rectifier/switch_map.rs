@@ -180,6 +180,7 @@ mod tests {
             participation_sqrt_kg: vec![1.0],
             base_sqrt_kg: BTreeMap::new(),
             discretisation_error: vec![0.0],
+            ..Modes::default()
         };
         let bridge = Bridge {
             name: "b".into(),

@@ -40,6 +40,7 @@ pub fn menagerie() -> System {
             participation_sqrt_kg: vec![0.0; n],
             base_sqrt_kg: BTreeMap::new(),
             discretisation_error: vec![0.0; n],
+            ..Modes::default()
         }),
         loads: vec![Load::resistor("load", "first", 2e6)],
         bridges: Vec::new(),

@@ -85,6 +85,7 @@ impl Cantilever {
                 .collect(),
             base_sqrt_kg: BTreeMap::new(),
             discretisation_error: vec![0.0; count],
+            ..Modes::default()
         }
     }
 }

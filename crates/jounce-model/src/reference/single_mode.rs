@@ -24,6 +24,7 @@ pub(super) fn oscillator(mass_kg: f64, frequency_rad_s: f64, damping_ratio: f64)
         participation_sqrt_kg: vec![mass_kg.sqrt()],
         base_sqrt_kg: BTreeMap::new(),
         discretisation_error: vec![0.0],
+        ..Modes::default()
     };
     System {
         modes: modes.into(),

@@ -165,13 +165,18 @@ impl SpecModes {
             .into_iter()
             .filter_map(|(mode, ratio)| Some((with_plates.index_of(0, mode)?, ratio)))
             .collect();
-        assembled.damping_ratio =
+        let (damping_ratio, unused_damping_ratios) =
             damping_ratios(&assembled.frequency_rad_s, &of_masses, &spec.damping)?;
+        assembled.damping_ratio = damping_ratio;
         let mut parts = vec![assembled];
         for (name, modal) in &spec.modal {
             parts.push(modes::user::user_modes(name, modal)?);
         }
         let (with_user_modes, modes) = merged(&parts);
+        let modes = Modes {
+            unused_damping_ratios,
+            ..modes
+        };
         Ok(Self {
             modes,
             with_plates,

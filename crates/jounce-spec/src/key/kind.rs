@@ -61,6 +61,14 @@ impl Kind {
         )
     }
 
+    /// True for a table.
+    pub(crate) fn is_table(self) -> bool {
+        matches!(
+            self,
+            Self::NamedQuantities(_) | Self::NamedNumbers | Self::Things | Self::Table
+        )
+    }
+
     /// Returns what a value without a number is: `"a name"`.
     pub(crate) fn noun(self) -> &'static str {
         match self {

@@ -67,10 +67,6 @@ impl ReadState {
     /// Adds violated rules between keys; a key that already has a fault, or that is absent because
     /// it is misspelt, is skipped.
     pub(super) fn add_broken(&mut self, faults: Vec<(String, String)>) {
-        // Without a complete table nearly every rule between keys is violated.
-        if self.misspelt.iter().any(|path| !path.contains('.')) {
-            return;
-        }
         let messages: Vec<String> = self.found.iter().map(|issue| issue.key.clone()).collect();
         for (key, message) in faults {
             let (key, message) = match self.written_as.get(&key) {
@@ -113,15 +109,6 @@ impl ReadState {
             .iter()
             .filter(|path| !self.positions.contains_key(*path));
         absent.any(contains)
-    }
-
-    /// True for a table whose keys may stand below a misspelt name of a table above it.
-    pub(super) fn is_below_misspelt(&self, path: &str) -> bool {
-        let is_above = |meant: &String| {
-            let below = path.strip_prefix(meant.as_str());
-            below.is_some_and(|below| below.starts_with('.'))
-        };
-        self.misspelt.iter().any(is_above)
     }
 
     /// Returns the place of a key, or of the nearest table that would contain it.

@@ -4,7 +4,9 @@ use super::value::read_slot;
 use super::{ReadState, join, missing_choice};
 use crate::key::{Element, KeyInfo, Kind, Need, ValueRef};
 use crate::nearest::{clip, did_you_mean, join_words, nearest};
-use crate::source::{Entry, Node};
+use crate::source::{Entry, Node, SourcePlace, Value};
+use std::borrow::Cow;
+use std::collections::HashMap;
 
 /// Reads a table of keys into an element. Choices precede the keys that depend on them in the table
 /// of keys.
@@ -24,6 +26,9 @@ pub(crate) fn read_keys(
     };
     let infos: Vec<&KeyInfo> = element.keys().map(|(_, info)| info).collect();
     let names: Vec<&str> = infos.iter().map(|info| info.name).collect();
+    let written = entries;
+    let corrected = with_misspelt_tables(&infos, &names, written);
+    let entries = corrected.as_ref();
     reading.misspelt.extend(misspelt(&names, path, entries));
     let mut doubtful: Vec<&str> = Vec::new();
     for (index, info) in infos.iter().copied().enumerate() {
@@ -46,7 +51,7 @@ pub(crate) fn read_keys(
             continue;
         }
         let Some(entry) = entries.iter().find(|entry| entry.name == info.name) else {
-            if missing(&names, info, path, node, reading) {
+            if missing(&names, info, path, (node.position, entries), reading) {
                 doubtful.push(info.name);
             }
             continue;
@@ -64,13 +69,61 @@ pub(crate) fn read_keys(
     let applicable: Vec<&KeyInfo> = (infos.iter().copied())
         .filter(|info| element.applies(info))
         .collect();
-    for entry in entries {
+    for entry in written {
         if reading.has_room() {
             let all = [&infos[..], &applicable];
             check_known(all, path, entry, element, &doubtful, reading);
         }
     }
     check_alternatives(&applicable, path, entries, reading);
+}
+
+/// Returns the keys with each table of a misspelt name as part of the table that the name probably
+/// means, so that its keys are checked too.
+fn with_misspelt_tables<'e>(
+    infos: &[&KeyInfo],
+    names: &[&str],
+    entries: &'e [Entry],
+) -> Cow<'e, [Entry]> {
+    let is_meant = |meant: &&str| {
+        let named = |info: &&KeyInfo| info.name == *meant && info.kind.is_table();
+        infos.iter().any(named)
+    };
+    let meant = |entry: &'e Entry| {
+        let is_unknown = entry.node.entries().is_some() && !names.contains(&entry.name.as_str());
+        let meant = is_unknown.then(|| nearest(&entry.name, names)).flatten();
+        (meant.filter(is_meant), entry)
+    };
+    let meant: Vec<(Option<&str>, &Entry)> = entries.iter().map(meant).collect();
+    if meant.iter().all(|(name, _)| name.is_none()) {
+        return Cow::Borrowed(entries);
+    }
+    let named = meant.into_iter();
+    let named = named.map(|(name, entry)| (name.unwrap_or(&entry.name), entry));
+    Cow::Owned(merged(named.collect()))
+}
+
+/// Returns the keys with all tables of one name as one table.
+fn merged(entries: Vec<(&str, &Entry)>) -> Vec<Entry> {
+    let mut groups: Vec<(&str, Vec<&Entry>)> = Vec::new();
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    for (name, entry) in entries {
+        let place = *places.entry(name).or_insert(groups.len());
+        match groups.get_mut(place) {
+            Some((_, group)) => group.push(entry),
+            None => groups.push((name, vec![entry])),
+        }
+    }
+    let combined = |(name, group): (&str, Vec<&Entry>)| {
+        let mut first = group[0].renamed(name);
+        if let (Value::Table(keys), [_, _, ..]) = (&mut first.node.value, &group[..]) {
+            let all = group.iter().filter_map(|entry| entry.node.entries());
+            let all = all.flatten().map(|entry| (entry.name.as_str(), entry));
+            *keys = merged(all.collect());
+        }
+        first
+    };
+    groups.into_iter().map(combined).collect()
 }
 
 /// Returns the dotted paths of the keys that unknown keys of a table probably mean.
@@ -88,10 +141,9 @@ fn missing(
     names: &[&str],
     info: &KeyInfo,
     path: &str,
-    node: &Node,
+    (position, entries): (SourcePlace, &[Entry]),
     reading: &mut ReadState,
 ) -> bool {
-    let entries = node.entries().unwrap_or_default();
     let stands = |name: &&str| entries.iter().any(|entry| entry.name == *name);
     let instead = info
         .unless
@@ -121,14 +173,8 @@ fn missing(
         };
         !names.contains(&entry.name.as_str()) && meant.is_some_and(replaces)
     };
-    let is_elsewhere = reading.is_below_misspelt(path);
-    if must
-        && reading.complete
-        && reading.has_room()
-        && !is_elsewhere
-        && !entries.iter().any(misspelt)
-    {
-        reading.fault(node.position, path, text);
+    if must && reading.complete && reading.has_room() && !entries.iter().any(misspelt) {
+        reading.fault(position, path, text);
     }
     must
 }

@@ -48,6 +48,16 @@ pub(crate) struct Entry {
     pub(crate) node: Node,
 }
 
+impl Entry {
+    /// Returns the entry under another name.
+    pub(crate) fn renamed(&self, name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            ..self.clone()
+        }
+    }
+}
+
 impl Node {
     /// Returns the keys, if this is a table.
     pub(crate) fn entries(&self) -> Option<&[Entry]> {

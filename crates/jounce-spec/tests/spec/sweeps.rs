@@ -76,7 +76,7 @@ fn counts_and_lists_hit_their_ends() {
 }
 
 /// Range, and a part of the refusal.
-const WRONG_RANGES: [(&str, &str); 22] = [
+const WRONG_RANGES: [(&str, &str); 24] = [
     (
         "drive.shaker.frequency=4Hz:20Hz:0.1mm",
         "\"0.1mm\" is a length; expected a frequency",
@@ -140,6 +140,14 @@ const WRONG_RANGES: [(&str, &str); 22] = [
     (
         "stop.tip.law=1Hz",
         "stop.tip.law is a name, not a number; give a key with a number",
+    ),
+    (
+        "stop.tip.gap=1mm,2mm,1000um,2mm,3mm",
+        "\"1mm,2mm,1000um,2mm,3mm\" has 1 mm, 2 mm more than once; give each value once",
+    ),
+    (
+        "drive.shaker.frequency=10Hz:10Hz:3x",
+        "\"10Hz:10Hz:3x\" has 10 Hz more than once",
     ),
     ("stop.tip.exponent=1:2:0.1", "cannot be varied alone"),
     (

@@ -3,10 +3,13 @@
 use super::DesignResult;
 use super::report::unit;
 use jounce_design::{Goal, LimitResult};
-use jounce_plot::{Along, Axis, Figure, Line, Marker, Panel, Series};
+use jounce_plot::{Along, Axis, Colour, Figure, Line, Marker, Panel, Series};
 
 /// Height of the rows of limits, pixels.
 const ROW_PX: f64 = 32.0;
+
+/// Smallest end of the axis of the limits, relative to a limit: shows that a lower one allows more.
+const LEAST_END: f64 = 1.25;
 
 impl DesignResult {
     /// Returns the figure: the front of several goals, or the better and better designs next to the
@@ -67,31 +70,35 @@ impl DesignResult {
     }
 }
 
-/// Returns the part of each limit that the best design uses, with its value and whether it binds.
+/// Returns the allowed values of each limit, relative to it, as a line, and the value of the best design
+/// as a circle: an upper limit allows all below it, a lower one all above.
 fn limits_panel(limits: &[LimitResult]) -> Panel {
     let rows: Vec<f64> = (0..limits.len())
         .map(|k| (limits.len() - k) as f64)
         .collect();
     let used: Vec<f64> = limits.iter().map(|one| one.value / one.limit).collect();
+    let end = used.iter().copied().fold(LEAST_END, f64::max);
     let mut panel = Panel::new(
         Axis::linear("Value relative to its limit", ""),
         Axis::linear("Limit", ""),
     )
     .high(80.0 + ROW_PX * rows.len() as f64)
     .reference(Along::X, 1.0, None);
-    for ((limit, row), used) in limits.iter().zip(&rows).zip(&used) {
-        let text = format!(
-            "{} {:.4e} of {:.4e}: {}",
-            limit.name,
-            limit.value,
-            limit.limit,
-            limit.state()
-        );
+    for (k, (limit, row)) in limits.iter().zip(&rows).enumerate() {
+        let text = format!("{} {}: {}", limit.name, limit.comparison(4), limit.state());
+        let allowed = if limit.is_lower {
+            [1.0, end]
+        } else {
+            [0.0, 1.0]
+        };
+        let line = Series::line(allowed.to_vec(), vec![*row; 2]);
+        let line = if k == 0 { line.label("allowed") } else { line };
         panel = panel
-            .with(Series::line(vec![0.0, *used], vec![*row; 2]))
+            .with(line.colour(Colour::nth(0)))
             .note(0.5, *row, &text);
     }
-    panel
+    let values = Series::points(used, rows, Marker::Circle).label("best design");
+    panel.with(values.colour(Colour::nth(1)))
 }
 
 fn axis(goal: &str) -> Axis {

@@ -56,7 +56,11 @@ impl DesignResult {
             .iter()
             .map(|one| one.name.clone())
             .collect();
-        let active: Vec<bool> = self.outcome.limits.iter().map(|one| one.active).collect();
+        let flags = |value: fn(&LimitResult) -> bool| {
+            let limits = self.outcome.limits.iter();
+            limits.map(value).collect::<Vec<bool>>()
+        };
+        let (lower, active) = (flags(|one| one.is_lower), flags(|one| one.active));
         let number = |name: &str, about: &str, value: fn(&LimitResult) -> f64| {
             let values: Vec<f64> = self.outcome.limits.iter().map(value).collect();
             Column::new(name, "", about, values)
@@ -65,6 +69,12 @@ impl DesignResult {
             Column::new("name", "", "limited quantity", names),
             number("value", "value at the best design, SI", |one| one.value),
             number("limit", "limit, SI", |one| one.limit),
+            Column::new(
+                "is_lower",
+                "",
+                "the value must be at least the limit, else at most",
+                lower,
+            ),
             Column::new("active", "", "the limit binds", active),
             number(
                 "exceeded_fraction",
@@ -242,10 +252,9 @@ fn limit_text(limit: &LimitResult) -> String {
     });
     let noise = limit.noise.as_ref();
     format!(
-        "{:<16} {:.6e} of {:.6e}, {}{price}{}",
+        "{:<16} {}, {}{price}{}",
         limit.name,
-        limit.value,
-        limit.limit,
+        limit.comparison(6),
         limit.state(),
         noise.map_or_else(String::new, noise_limit_text)
     )

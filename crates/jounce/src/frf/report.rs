@@ -36,7 +36,11 @@ impl FrfResult {
                 im: response.im.clone(),
             };
             let (unit, hz) = (response.unit, &self.frequency_hz);
-            let figure = frequency_responses(name, name, unit, Scale::Log, hz, &[line]);
+            let title = match response.is_zero() {
+                true => format!("{name}: 0 at every frequency"),
+                false => name.clone(),
+            };
+            let figure = frequency_responses(&title, name, unit, Scale::Log, hz, &[line]);
             (format!("frf-{name}"), figure)
         });
         figures.collect()

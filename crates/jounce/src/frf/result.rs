@@ -33,6 +33,11 @@ pub struct FrfResponse {
 }
 
 impl FrfResponse {
+    /// True where the excitation does not move the output at any frequency.
+    pub fn is_zero(&self) -> bool {
+        self.re.iter().chain(&self.im).all(|value| *value == 0.0)
+    }
+
     /// Returns the number of the frequency with the largest magnitude, and that magnitude.
     pub fn highest(&self) -> Option<(usize, f64)> {
         let magnitudes = self.re.iter().zip(&self.im).map(|(re, im)| re.hypot(*im));

@@ -105,15 +105,16 @@ impl ChannelList {
     }
 
     /// Returns the channel of a name or number; without one, the only channel or the first of a
-    /// quantity. `option` is the name of the option that names the channel.
+    /// quantity, with an issue where there are several. `option` is the name of the option that names
+    /// the channel.
     pub(crate) fn choose(
         &self,
         option: &'static str,
-        name: Option<&str>,
+        requested: Option<&str>,
         quantity: Quantity,
     ) -> Result<ChosenChannel, Error> {
         let heads = self.heads();
-        let number = choose_channel(&self.recording, &heads, name, quantity);
+        let number = choose_channel(&self.recording, &heads, requested, quantity);
         let number = number.map_err(|error| match error {
             ChannelError::Missing(error) => Error::NoChannel(error),
             error => Error::Channel { option, error },
@@ -130,10 +131,28 @@ impl ChannelList {
             };
             return Err(Error::Channel { option, error });
         }
+        let of_several = || self.first_of_several(option, number, quantity);
+        let of_several = requested.is_none().then(of_several).flatten();
         Ok(ChosenChannel {
             number,
-            assumed: heads[number].assumed_unit_issue(quantity),
+            assumed: heads[number].assumed_unit_issue(quantity).or(of_several),
         })
+    }
+
+    /// Returns the issue that a channel is the first of several of its quantity.
+    fn first_of_several(&self, option: &str, number: usize, quantity: Quantity) -> Option<Issue> {
+        let all = self.channels.iter().filter(|one| one.quantity == quantity);
+        let names: Vec<&str> = all.map(|one| one.name.as_str()).collect();
+        let text = || {
+            format!(
+                "it is the first of the {} channels in {}: {}; choose another with `{option}`",
+                names.len(),
+                quantity.si_unit(),
+                names.join(", ")
+            )
+        };
+        let issue = || Issue::new(IssueKind::Assumed, 1, None, text());
+        (names.len() > 1).then(|| issue().of(&self.channels[number].name))
     }
 
     /// Returns the first varying channel of a quantity, else the first varying channel, else the

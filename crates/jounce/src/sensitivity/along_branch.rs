@@ -3,7 +3,7 @@
 
 use super::{KeyDerivative, KeySensitivity, OrbitResult, SensitivityResult};
 use crate::error::Error;
-use jounce_analysis::{Derivative, DerivativeKey, Model, nearest_fold, nearest_peak};
+use jounce_analysis::{Derivative, DerivativeKey, Model, NotFollowed, nearest_fold, nearest_peak};
 use jounce_orbits::Orbit;
 use jounce_spec::NumericKey;
 
@@ -15,7 +15,7 @@ pub fn add_fold(
     keys: &[NumericKey],
 ) -> Result<(), Error> {
     let fold = nearest_fold(base, orbit.period_cycles, orbit.start());
-    let fold = fold.ok().flatten().ok_or_else(|| missing("fold"))?;
+    let fold = found("fold", fold)?;
     let names = [("nearest_fold", "Hz", fold.frequency_hz)];
     add(result, &fold.key, keys, names, |keys| {
         let derivatives = fold.derivatives(base, keys)?;
@@ -31,7 +31,7 @@ pub fn add_peak(
     keys: &[NumericKey],
 ) -> Result<(), Error> {
     let peak = nearest_peak(base, orbit.period_cycles, orbit.start());
-    let peak = peak.ok().flatten().ok_or_else(|| missing("peak"))?;
+    let peak = found("peak", peak)?;
     let names = [
         ("nearest_peak", "Hz", peak.frequency_hz),
         ("peak_power", "W", peak.mean_power_w),
@@ -45,10 +45,20 @@ pub fn add_peak(
     })
 }
 
-fn missing(what: &'static str) -> Error {
-    let expected =
-        format!("the branch of this orbit has no {what} within 30 % of the frequency of the drive");
-    Error::option(what, "true", expected)
+/// Returns a place on the branch, or the reason why there is none.
+fn found<T>(what: &'static str, place: Result<Option<T>, NotFollowed>) -> Result<T, Error> {
+    let reason = match place {
+        Ok(Some(place)) => return Ok(place),
+        Ok(None) => {
+            format!(
+                "the branch of this orbit has no {what} within 30 % of the frequency of the drive"
+            )
+        }
+        Err(NotFollowed) => format!(
+            "the branch of this orbit over the frequency of the drive could not be followed, so that its {what} is not known; `jounce branch` shows where it ends"
+        ),
+    };
+    Err(Error::option(what, "true", reason))
 }
 
 /// Adds results with their derivatives, which do not depend on the frequency along the branch.

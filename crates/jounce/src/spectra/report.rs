@@ -73,15 +73,16 @@ impl SpectraResult {
             resolution_hz: self.resolution_hz,
             mean: self.mean,
         };
-        let title = "Power spectral density";
-        densities_of(title, &self.channel, &self.unit, &density)
+        let title = format!("Power spectral density of {}", self.channel);
+        densities_of(&title, &self.channel, &self.unit, &density)
     }
 
     /// Returns the figure of the spectrogram; `None` unless it was requested.
     pub fn spectrogram_figure(&self) -> Option<Figure> {
         let spectrogram = self.spectrogram.as_ref()?;
-        let (title, channel) = (&self.convention, &self.channel);
-        let figure = spectrogram_of(title, channel, &self.unit, spectrogram, self.drive_hz);
+        let channel = &self.channel;
+        let title = format!("Spectrogram of {channel}: {}", self.convention);
+        let figure = spectrogram_of(&title, channel, &self.unit, spectrogram, self.drive_hz);
         Some(figure)
     }
 }

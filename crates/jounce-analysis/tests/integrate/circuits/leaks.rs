@@ -37,6 +37,7 @@ fn cell(leaks: &[Option<f64>]) -> System {
         participation_sqrt_kg: vec![1.0],
         base_sqrt_kg: BTreeMap::new(),
         discretisation_error: vec![0.0],
+        ..Modes::default()
     };
     let law = Law::Hertz(Hertz {
         stiffness: 20.0,

@@ -26,6 +26,7 @@ fn cell(resistance_ohm: f64) -> System {
         participation_sqrt_kg: vec![1.0],
         base_sqrt_kg: BTreeMap::new(),
         discretisation_error: vec![0.0],
+        ..Modes::default()
     };
     let law = Law::Hertz(Hertz {
         stiffness: 20.0,

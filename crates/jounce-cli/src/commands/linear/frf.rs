@@ -56,9 +56,14 @@ impl Frf {
 /// Prints the highest magnitude of each response.
 fn print_lines(result: &FrfResult) {
     for response in &result.responses {
-        if let Some((index, size)) = response.highest() {
-            let (name, unit, hz) = (&response.name, response.unit, result.frequency_hz[index]);
-            line(format!("{name}: highest {size:.5e} {unit} at {hz:.4} Hz"));
+        let (name, unit) = (&response.name, response.unit);
+        match response.highest() {
+            Some(_) if response.is_zero() => line(format!("{name}: 0 at every frequency")),
+            Some((index, size)) => {
+                let hz = result.frequency_hz[index];
+                line(format!("{name}: highest {size:.5e} {unit} at {hz:.4} Hz"));
+            }
+            None => {}
         }
     }
 }

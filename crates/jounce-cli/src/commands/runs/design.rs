@@ -64,9 +64,8 @@ impl Design {
             ));
         }
         interruption::install(&control);
-        let evaluated = || control.progress().0;
         let work = || design.run_with_journal(&self.options, &journal);
-        let result = progress::with_count("designs evaluated", &evaluated, work);
+        let result = progress::with_parts("designs at most", &control, work);
         let result = result.map_err(failure)?;
         if let Some(folder) = &self.output.out {
             self.write(folder, &design, &result)?;

@@ -30,6 +30,8 @@ impl Check {
         let result = harvester
             .check()
             .map_err(|error| self.spec.failure(error))?;
+        let warnings: Vec<String> = result.warnings.iter().map(ToString::to_string).collect();
+        output::warn(&warnings);
         match self.json {
             true => line(output::to_json(&result)?),
             false => line(format!("{}: valid", self.spec.spec.display())),

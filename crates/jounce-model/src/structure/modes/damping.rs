@@ -12,7 +12,8 @@ use jounce_spec::Damping;
 /// mass.
 pub(in crate::structure) type MassMode = (usize, f64);
 
-/// Returns the damping ratio of each mode.
+/// Returns the damping ratio of each mode, and the number of the last entries of `damping.ratios` that
+/// no mode takes.
 ///
 /// # Errors
 /// `MissingDamping` if the list is too short and `beyond` is not set.
@@ -20,7 +21,7 @@ pub(in crate::structure) fn damping_ratios(
     frequency_rad_s: &[f64],
     of_masses: &[MassMode],
     damping: &Damping,
-) -> Result<Vec<f64>, StructureError> {
+) -> Result<(Vec<f64>, usize), StructureError> {
     let mass_ratio = |mode: usize| {
         of_masses
             .iter()
@@ -42,10 +43,9 @@ pub(in crate::structure) fn damping_ratios(
         (true, None) => remaining.next(),
     };
     let ratios: Option<Vec<f64>> = (0..frequency_rad_s.len()).map(&mut ratio).collect();
-    ratios.ok_or(StructureError::MissingDamping {
-        flexible,
-        given: damping.ratios.len(),
-    })
+    let given = damping.ratios.len();
+    let ratios = ratios.ok_or(StructureError::MissingDamping { flexible, given })?;
+    Ok((ratios, given.saturating_sub(flexible)))
 }
 
 #[cfg(test)]
@@ -59,8 +59,14 @@ mod tests {
             ratios: vec![0.01, 0.02],
             beyond: Some(0.03),
         };
-        let ratios = damping_ratios(&[0.0, 1.0, 2.0, 3.0, 4.0], &[(2, 0.5)], &damping).unwrap();
-        assert_eq!(ratios, [0.0, 0.01, 0.5, 0.02, 0.03]);
+        let frequencies = [0.0, 1.0, 2.0, 3.0, 4.0];
+        let (ratios, unused) = damping_ratios(&frequencies, &[(2, 0.5)], &damping).unwrap();
+        assert_eq!(
+            (&ratios[..], unused),
+            (&[0.0, 0.01, 0.5, 0.02, 0.03][..], 0)
+        );
+        let (ratios, unused) = damping_ratios(&frequencies[..3], &[(2, 0.5)], &damping).unwrap();
+        assert_eq!((&ratios[..], unused), (&[0.0, 0.01, 0.5][..], 1));
     }
 
     #[test]

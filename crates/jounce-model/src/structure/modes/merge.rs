@@ -137,6 +137,7 @@ mod tests {
             participation_sqrt_kg: vec![0.5; count],
             base_sqrt_kg: BTreeMap::from([("shelf".to_owned(), frequency_rad_s.to_vec())]),
             discretisation_error: vec![0.0; count],
+            ..Modes::default()
         }
     }
 

@@ -49,6 +49,8 @@ pub struct Modes {
     pub base_sqrt_kg: BTreeMap<String, Vec<f64>>,
     /// Estimated relative discretisation error of each frequency (0 for modes defined in the spec).
     pub discretisation_error: Vec<f64>,
+    /// Number of the last entries of `damping.ratios` that no retained mode takes.
+    pub unused_damping_ratios: usize,
 }
 
 /// Coupling of a piezoelectric patch to the modes and to the circuit.

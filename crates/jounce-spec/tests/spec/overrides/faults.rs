@@ -159,6 +159,43 @@ fn a_misspelling_gives_one_fault() {
     assert!(missing.contains("or give `material`"), "{missing}");
 }
 
+/// The keys of a misspelt table are those that its name means, so its faults and those of the rules
+/// between keys are reported too.
+#[test]
+fn a_misspelt_table_hides_no_other_fault() {
+    let beam =
+        "material = \"steel\"\nlength = \"50 mm\"\nwidth = \"10 mm\"\nthickness = \"1 mm\"\n";
+    let other = beam.replace("50 mm", "50");
+    let run = "[run]\nduration = \"1 s\"\naverage_over = \"2 s\"\n[damping]\nbeyond = 0.01\n";
+    let of = |text: String| {
+        let faults = SpecFile::from_text(text).spec().unwrap_err();
+        let lines = faults.as_slice().iter();
+        lines
+            .map(|fault| (fault.line, fault.key.clone()))
+            .collect::<Vec<_>>()
+    };
+    let fault = |line, key: &str| (line, key.to_owned());
+    assert_eq!(
+        of(format!(
+            "[beem.a]\n{beam}[beam.b]\n{other}[beem.a.point]\ntip = \"60 mm\"\n{run}"
+        )),
+        [
+            fault(1, "beem"),
+            fault(8, "beam.b.length"),
+            fault(12, "beam.a.point.tip"),
+            fault(15, "run.average_over"),
+        ]
+    );
+    assert_eq!(
+        of(format!("[beam.a]\n{beam}{}", run.replace("run]", "runn]"))),
+        [fault(6, "runn"), fault(8, "run.average_over")]
+    );
+    assert_eq!(
+        of(format!("beem = 1\n[beam.a]\n{beam}{run}")),
+        [fault(1, "beem"), fault(9, "run.average_over")]
+    );
+}
+
 /// A table of numbers is no spec.
 #[test]
 fn another_text_gives_one_fault() {

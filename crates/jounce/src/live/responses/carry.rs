@@ -74,6 +74,7 @@ impl DraftProblem<'_> {
             control: LONG_STEPS,
             resolution: MAX_LAST_MOVE,
         };
+        // Without branches the page draws no draft; the fine response follows, and reports its error.
         let from = |mut orbits: Vec<KnownOrbit>| {
             orbits.retain(|orbit| orbit.period_cycles <= self.longest_period);
             without_shorter_periods(warm_start.run(&orbits).unwrap_or_default())

@@ -4,7 +4,7 @@ use std::io::{self, BufRead, Read as _};
 
 use super::growing_column::GrowingColumn;
 use super::number::TextField;
-use super::{ColumnHead, Delimiter, TextLayout};
+use super::{ColumnHead, TextLayout};
 use crate::read::column::raw::RawColumn;
 use crate::read::column::samples::SampleStore;
 use crate::read::error::Damage;
@@ -267,17 +267,10 @@ impl<'a> RowTable<'a> {
 }
 
 fn fields(line: &str, layout: &TextLayout) -> Vec<TextField> {
-    let read = |field: &str| TextField::read(field, layout.decimal_comma);
-    match layout.delimiter {
-        Delimiter::Blanks => line.split_whitespace().map(read).collect(),
-        Delimiter::Byte(delimiter) if !line.contains('"') => {
-            line.split(char::from(delimiter)).map(read).collect()
-        }
-        Delimiter::Byte(_) => layout
-            .delimiter
-            .fields(line)
-            .iter()
-            .map(|field| read(field))
-            .collect(),
-    }
+    let mut fields = Vec::new();
+    let decimal_comma = layout.decimal_comma;
+    (layout.delimiter).each_field(line, |field| {
+        fields.push(TextField::read(field, decimal_comma))
+    });
+    fields
 }
