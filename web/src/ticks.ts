@@ -2,7 +2,7 @@
 //
 // The labels are the first of these sets with at least two values that all have room:
 // 1. Below 0.7 decades: multiples of a step, 1, 2 or 5 times a power of ten.
-// 2. With fewer than three powers of ten: 1, 2 and 5 of each decade.
+// 2. 1, 2 and 5 of each decade; with three powers of ten or more, these must have twice the room.
 // 3. Powers of ten; then every second, third, ... of them.
 // Where no set has two values with room: the first and the last line of the axis.
 // Pictures of the program have the same rule in crates/jounce-plot/src/axis/log_labels.rs; both are tested with tests/axes.json.
@@ -16,11 +16,17 @@ const WIDE = 4;
 /** Rounding of the ends of an axis, relative to a step. */
 const ROUNDING = 1e-9;
 
+/** Values that may have labels, and how many times the least distance they must have. */
+interface LabelSet {
+    values: number[];
+    rooms: number;
+}
+
 /** Labelled values of an axis whose labels need the distance `nearest`, a share of the axis. */
 export function logLabels(low: number, high: number, nearest: number): number[] {
     const decades = Math.log10(high / low);
-    const fits = (values: number[]) => values.length > 1 && values.every((value, k) => k === 0 || Math.log10(value / values[k - 1]) >= nearest * decades);
-    return sets(low, high, decades).find(fits) ?? ends(lines(low, high));
+    const fits = ({ values, rooms }: LabelSet) => values.length > 1 && values.every((value, k) => k === 0 || Math.log10(value / values[k - 1]) >= rooms * nearest * decades);
+    return sets(low, high, decades).find(fits)?.values ?? ends(lines(low, high));
 }
 
 /** Lines of the grid. */
@@ -30,16 +36,16 @@ export function lines(low: number, high: number): number[] {
     return ofDecades(low, high, decades > WIDE ? [1] : [1, 2, 3, 4, 5, 6, 7, 8, 9]);
 }
 
-function sets(low: number, high: number, decades: number): number[][] {
+function sets(low: number, high: number, decades: number): LabelSet[] {
     if (decades < NARROW) {
         const steps: number[] = [];
         for (let step = finest(low, high); step < high; step = stepOfAtLeast(1.5 * step)) steps.push(step);
-        return steps.map((step) => multiples(low, high, step));
+        return steps.map((step) => ({ values: multiples(low, high, step), rooms: 1 }));
     }
     const powers = ofDecades(low, high, [1]);
     const every = (count: number) => powers.filter((power) => Math.round(Math.log10(power)) % count === 0);
-    const thinned = Array.from({ length: Math.max(powers.length - 1, 1) }, (_, k) => every(k + 1));
-    return powers.length < 3 ? [ofDecades(low, high, [1, 2, 5]), ...thinned] : thinned;
+    const thinned = powers.map((_, k) => ({ values: every(k + 1), rooms: 1 }));
+    return [{ values: ofDecades(low, high, [1, 2, 5]), rooms: powers.length < 3 ? 1 : 2 }, ...thinned];
 }
 
 const finest = (low: number, high: number) => stepOfAtLeast((high - low) / MAX_STEPS);

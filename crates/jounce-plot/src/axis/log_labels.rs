@@ -2,7 +2,7 @@
 //! all have room.
 //!
 //! 1. Below 0.7 decades: multiples of a step, 1, 2 or 5 times a power of ten.
-//! 2. With fewer than three powers of ten: 1, 2 and 5 of each decade.
+//! 2. 1, 2 and 5 of each decade; with three powers of ten or more, these must have twice the room.
 //! 3. Powers of ten; then every second, third, ... of them.
 //!
 //! Where no set has two values with room: the first and the last line of the axis. The live page
@@ -31,41 +31,45 @@ pub(super) struct LogLabels {
 /// Returns the labels of an axis whose labels need the distance `nearest`, a share of the axis.
 pub(super) fn log_labels(low: f64, high: f64, nearest: f64) -> LogLabels {
     let decades = (high / low).log10();
-    let is_apart = |pair: &[f64]| (pair[1] / pair[0]).log10() >= nearest * decades;
-    let fits = |values: &Vec<f64>| values.len() > 1 && values.windows(2).all(is_apart);
+    let fits = |values: &[f64], rooms: f64| {
+        let is_apart = |pair: &[f64]| (pair[1] / pair[0]).log10() >= rooms * nearest * decades;
+        values.len() > 1 && values.windows(2).all(is_apart)
+    };
     if decades < NARROW {
         let finest = step_of_at_least((high - low) / MAX_STEPS);
         let steps = std::iter::successors(Some(finest), |step| Some(step_of_at_least(1.5 * step)));
         let found = steps
             .take_while(|step| *step < high)
             .map(|step| (multiples(low, high, step), Some(step)))
-            .find(|(values, _)| fits(values));
+            .find(|(values, _)| fits(values, 1.0));
         let (values, step) =
             found.unwrap_or_else(|| (ends(&multiples(low, high, finest)), Some(finest)));
         return LogLabels { values, step };
     }
     let powers = of_decades(low, high, &[1.0]);
-    let mut sets = Vec::new();
-    if powers.len() < 3 {
-        sets.push(of_decades(low, high, &[1.0, 2.0, 5.0]));
-    }
-    for every in 1..powers.len().max(2) {
-        let is_kept = |power: &&f64| (power.log10().round() as i64).rem_euclid(every as i64) == 0;
-        sets.push(powers.iter().filter(is_kept).copied().collect());
-    }
-    let lines = || {
-        if decades > WIDE {
-            powers.clone()
-        } else {
-            of_decades(low, high, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0])
-        }
+    let parts = of_decades(low, high, &[1.0, 2.0, 5.0]);
+    let rooms = if powers.len() < 3 { 1.0 } else { 2.0 };
+    let every = |count: usize| -> Vec<f64> {
+        let is_kept = |power: &&f64| (power.log10().round() as i64).rem_euclid(count as i64) == 0;
+        powers.iter().filter(is_kept).copied().collect()
     };
-    LogLabels {
-        values: sets
-            .into_iter()
-            .find(fits)
-            .unwrap_or_else(|| ends(&lines())),
-        step: None,
+    let values = if fits(&parts, rooms) {
+        parts
+    } else {
+        (1..=powers.len())
+            .map(every)
+            .find(|values| fits(values, 1.0))
+            .unwrap_or_else(|| ends(&lines(low, high, decades)))
+    };
+    LogLabels { values, step: None }
+}
+
+/// Returns the lines of an axis that is not narrow.
+fn lines(low: f64, high: f64, decades: f64) -> Vec<f64> {
+    if decades > WIDE {
+        of_decades(low, high, &[1.0])
+    } else {
+        of_decades(low, high, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0])
     }
 }
 
