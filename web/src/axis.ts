@@ -63,7 +63,7 @@ export class ChartAxis {
             font: `${LETTERS[kind][0]}px ${FAMILY}`,
             size: (plot, values) => this.numbers(plot, values) + this.titleSize(plot),
             gap: GAP,
-            space: { large: [60, 30], small: [45, 16] }[kind][this.index],
+            space: { large: [60, 30], small: [45, 13] }[kind][this.index],
             stroke: colour("ink"),
             grid: { stroke: colour("grid"), width: 1 },
             ticks: { show: false },

@@ -159,8 +159,10 @@ export class Orbit {
 
     private amplitudes(frame: Frame): void {
         const lines = frame.array("spectrum.amplitude");
-        const most = lines.reduce((high, value) => Math.max(high, value), 1e-12);
-        this.spectrum.show({ words: "Frequency", unit: "Hz" }, { words: "Peak", unit: "V", log: true, ends: [1e-5 * most, 2 * most] }, [{ x: frame.array("spectrum.frequency"), y: lines.map((value) => Math.max(value, 1e-6 * most)), colour: colour("purple"), stems: true }]);
+        const most = lines.reduce((high, value) => Math.max(high, value), 0);
+        const curve = { x: frame.array("spectrum.frequency"), y: lines.map((value) => Math.max(value, 1e-6 * most)), colour: colour("purple"), stems: true };
+        this.spectrum.waiting = most > 0 ? "" : "no voltage";
+        this.spectrum.show({ words: "Frequency", unit: "Hz" }, { words: "Peak", unit: "V", log: true, ends: most > 0 ? [1e-5 * most, 2 * most] : undefined }, most > 0 ? [curve] : []);
         this.label(this.spectrum, "Spectrum of the voltage, up to twelve times the drive frequency");
     }
 
