@@ -11,6 +11,8 @@ export interface Axis {
     log?: boolean;
     /** Fixed ends; by default those of the curves. */
     ends?: [number, number];
+    /** A value that the axis shows in addition to those of the curves. */
+    holds?: number;
     /** Room between the curves and the ends of a horizontal axis: the curves turn back there. */
     room?: boolean;
     /** Divisor and unit of the labels; by default those of the largest value. */

@@ -216,10 +216,9 @@ export class Chart implements Drawn {
         if (plot) mirror(plot.ctx, () => plot.batch(() => plot.redraw(false)), target, factor, top);
     }
 
-    private span(which: "x" | "y", { log, room: hasRoom }: Axis): Range {
+    private span(which: "x" | "y", { log, room: hasRoom, holds }: Axis): Range {
         let [low, high] = [Infinity, -Infinity];
-        for (const curve of this.curves) {
-            const values = curve[which];
+        for (const values of [...this.curves.map((curve) => curve[which]), holds === undefined ? [] : [holds]]) {
             for (let k = 0; k < values.length; k++) {
                 const value = values[k];
                 if (Number.isFinite(value) && (!log || value > 0)) {

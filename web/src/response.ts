@@ -169,7 +169,7 @@ export class Response {
         if (this.quantity === "strain" && this.strainLimit !== undefined) rules.push({ at: this.strainLimit, along: "y", words: `limit ${digits(this.strainLimit)} ppm` });
         if (this.at !== undefined) rules.push({ at: this.at, along: "x", words: quantity(this.at, result.unit, 5), strong: true });
         this.chart.waiting = this.isComputing(result) ? "computing strain" : "";
-        this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.isLog(result) }, curves, this.marks(result), rules);
+        this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.isLog(result), holds: this.heldLimit(result) }, curves, this.marks(result), rules);
         this.tell();
     }
 
@@ -181,6 +181,11 @@ export class Response {
     /** True where the vertical axis is logarithmic: not where all values are 0. */
     private isLog(result: ResponseResult): boolean {
         return this.log && (this.shownValues(result).some((value) => value > 0) || !this.shownValues(result).some((value) => value === 0));
+    }
+
+    /** The strain limit, where the logarithmic axis shows it next to the strain. */
+    private heldLimit(result: ResponseResult): number | undefined {
+        return this.quantity === "strain" && this.isLog(result) && !this.isComputing(result) ? this.strainLimit : undefined;
     }
 
     /** Values of the quantity on the branches that are shown. */
