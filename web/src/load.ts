@@ -86,7 +86,7 @@ export class Load {
         } else {
             this.set(false);
             const [ohm, watt] = this.points.reduce((most, point) => (point[1] > most[1] ? point : most), [0, 0]);
-            this.words.textContent = `largest power: ${quantity(watt, "W")} at ${quantity(ohm, "ohm")}`;
+            this.words.textContent = `largest power: ${quantity(watt, "W")} at ${quantity(ohm, "ohm")}; grey: without contact`;
         }
         this.redraw();
     }
@@ -115,7 +115,7 @@ export class Load {
         this.chart.show(
             { words: this.controls.title(this.shown || this.over.value), unit: "ohm", log: true, ends: x.length > 0 ? [x[0], x[x.length - 1]] : undefined },
             { words: "Mean power", unit: "W", log: true },
-            [{ x, y, colour: colour("grey"), words: "without contact" }, { x: px, y: py, colour: colour("blue"), width: 1.5 }, { x: px, y: py, colour: colour("blue"), dots: 2.5 }],
+            [{ x, y, colour: colour("grey") }, { x: px, y: py, colour: colour("blue"), width: 1.5 }, { x: px, y: py, colour: colour("blue"), dots: 2.5 }],
         );
     }
 }
