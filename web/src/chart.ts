@@ -1,37 +1,23 @@
 // Chart of curves on axes: uPlot draws axes, grid and scales.
 
 import uPlot from "uplot";
+import { AROUND, type Axis, ChartAxis, type Range, axisScale } from "./axis";
 import { mirror } from "./mirror";
 import { type Nearest, nearestPoint } from "./nearest";
 import { apart, type Curve, type Mark, type Rule, unitCircle, drawCurve, drawMark, drawRule, drawWords } from "./paint";
 import type { Drawn } from "./print";
 import { record } from "./recorder";
-import { colour } from "./theme";
-import { decades, labelled } from "./ticks";
-import { axisUnit, digits } from "./units";
-
-export interface Axis {
-    words: string;
-    unit: string;
-    log?: boolean;
-    /** Fixed ends; by default those of the curves. */
-    ends?: [number, number];
-    /** Divisor and unit of the labels; by default those of the largest value. */
-    scale?: [number, string];
-    /** True where the values are 0 and 1, which the labels call no and yes. */
-    flag?: boolean;
-}
-
-export type Range = [number, number];
 
 /** Smallest width of a magnified axis, relative to its values: the labels of its lines differ. */
 const NARROWEST = 1e-4;
 
-/** Room for a label of a logarithmic axis, horizontally and vertically, CSS pixels. */
-const SPACE = [60, 18];
+interface Size {
+    width: number;
+    height: number;
+}
 
-/** Pixels of axes and margins in a small chart, horizontally and vertically. */
-export const AROUND = [56, 38];
+/** Sizes of charts in a print, CSS pixels. The width of a large one is the geometric mean of the text on A4 and on A5, to which it is scaled; two small ones are next to each other. */
+const PRINTED = { large: { width: 574, height: 320 }, small: { width: 280, height: 180 } };
 
 export class Chart implements Drawn {
     /** All charts of the page. */
@@ -47,6 +33,7 @@ export class Chart implements Drawn {
     /** Ends of all that is shown, and of the part that is magnified. */
     private full: [Range, Range] = [[0, 1], [0, 1]];
     private part: [Range, Range] | undefined;
+    private axes: ChartAxis[] = [];
     private readonly pointers: HTMLElement[] = [];
     /** Called when another part is magnified; `byUser` is false where another range or quantity ends it. */
     onZoom: (byUser: boolean) => void = () => {};
@@ -67,9 +54,9 @@ export class Chart implements Drawn {
         [this.x, this.y, this.curves, this.marks, this.rules, this.round] = [x, y, curves, marks, rules, round];
         // Another range or quantity is shown complete.
         if (this.part && before !== JSON.stringify([x, y.words, y.log])) this.magnify(undefined, false);
-        this.full = [drawable(x.ends ?? this.span("x", x.log), x.log), drawable(y.ends ?? this.span("y", y.log), y.log)];
+        this.full = [drawable(x.ends ?? this.span("x", x), x.log), drawable(y.ends ?? this.span("y", { ...y, room: true }), y.log)];
         this.ends = this.part ?? this.full;
-        const shape = JSON.stringify([x.words, x.log, y.words, y.log, document.documentElement.dataset.theme, axisUnit(this.ends[0][1], x.unit), axisUnit(this.ends[1][1], y.unit), this.isEmpty]);
+        const shape = JSON.stringify([x.words, x.log, y.words, y.log, document.documentElement.dataset.theme, axisScale(x, this.ends[0]), axisScale(y, this.ends[1]), this.isEmpty]);
         if (!this.plot || shape !== this.shape) {
             this.shape = shape;
             this.build();
@@ -215,16 +202,23 @@ export class Chart implements Drawn {
         return plot && record(plot.ctx, () => plot.batch(() => plot.redraw(false)), paper);
     }
 
+    /** The chart as an SVG document for a print: letters do not depend on the size of the window. */
+    printed(): string | undefined {
+        this.setSize(PRINTED[this.compact ? "small" : "large"]);
+        const svg = this.svg();
+        this.resize();
+        return svg;
+    }
+
     /** Draws the chart on another canvas, larger by a factor, and so far below its upper end. */
     drawOn(target: CanvasRenderingContext2D, factor: number, top: number): void {
         const { plot } = this;
         if (plot) mirror(plot.ctx, () => plot.batch(() => plot.redraw(false)), target, factor, top);
     }
 
-    private span(which: "x" | "y", log = false): [number, number] {
+    private span(which: "x" | "y", { log, room: hasRoom, holds }: Axis): Range {
         let [low, high] = [Infinity, -Infinity];
-        for (const curve of this.curves) {
-            const values = curve[which];
+        for (const values of [...this.curves.map((curve) => curve[which]), holds === undefined ? [] : [holds]]) {
             for (let k = 0; k < values.length; k++) {
                 const value = values[k];
                 if (Number.isFinite(value) && (!log || value > 0)) {
@@ -236,44 +230,33 @@ export class Chart implements Drawn {
         if (low > high) return log ? [0.1, 1] : [0, 1];
         if (log) return [low / 1.3, high * 1.5];
         if (low === high) return around(low);
-        const room = which === "x" ? 0 : 0.06 * (high - low);
+        const room = hasRoom ? 0.06 * (high - low) : 0;
         return [low - room, high + room];
     }
 
-    private size(): { width: number; height: number } {
+    private size(): Size {
         return { width: Math.max(60, this.host.clientWidth), height: Math.max(50, this.host.clientHeight) };
     }
 
     private resize(): void {
-        this.plot?.setSize(this.size());
+        this.setSize(this.size());
     }
 
-    private axis(axis: Axis, most: number, side: number): uPlot.Axis {
-        const [step, unit] = axis.scale ?? axisUnit(most, axis.unit);
-        const words = unit ? `${axis.words} (${unit})` : axis.words;
-        const small = this.compact ? "10px" : "12px";
-        return {
-            side,
-            label: words,
-            labelSize: this.compact ? 14 : 20,
-            labelGap: 0,
-            labelFont: `${small} system-ui, sans-serif`,
-            font: `${small} system-ui, sans-serif`,
-            size: side === 2 ? (this.compact ? 18 : 26) : this.compact ? 34 : 48,
-            gap: 3,
-            space: side === 2 ? (this.compact ? 45 : 60) : this.compact ? 22 : 30,
-            stroke: colour("ink"),
-            grid: { stroke: colour("grid"), width: 1 },
-            ticks: { show: false },
-            // uPlot 1.6.32 loops forever where a logarithmic axis begins just below a power of ten.
-            ...(axis.log ? { splits: (_: uPlot, __: number, low: number, high: number) => decades(low, high), filter: (_: uPlot, splits: number[]) => splits } : {}),
-            ...(axis.flag ? { splits: (_: uPlot, __: number, low: number, high: number) => [0, 1].filter((value) => value >= low && value <= high) } : {}),
-            values: (plot, splits) => {
-                const room = side === 2 ? (plot.width - AROUND[0]) / SPACE[0] : (plot.height - AROUND[1]) / SPACE[1];
-                const shown = axis.log ? labelled(splits, this.ends[side === 2 ? 0 : 1], room) : splits;
-                return splits.map((value) => (value === null || (side === 3 && this.isEmpty) || !shown.includes(value) ? "" : axis.flag ? (value === 1 ? "yes" : "no") : digits(value / step, 6)));
-            },
-        };
+    /** Draws the plot at a size before it returns. */
+    private setSize(size: Size): void {
+        const { plot } = this;
+        plot?.batch(() => {
+            plot.setSize(size);
+            if (this.round) plot.setData(this.dummy());
+        });
+    }
+
+    /** Ends of an axis: those of a circle have equal scales, and the shorter side shows all of it. */
+    private shownEnds(index: 0 | 1, { width, height }: uPlot): Range {
+        const sides = [width, height].map((side, k) => Math.max(20, side - AROUND[k]));
+        const [low, high] = this.ends[index];
+        const factor = this.round ? sides[index] / Math.min(...sides) : 1;
+        return [factor * low, factor * high];
     }
 
     private build(): void {
@@ -281,8 +264,12 @@ export class Chart implements Drawn {
         const scale = (index: 0 | 1, log?: boolean): uPlot.Scale => ({
             time: false,
             distr: log ? 3 : 1,
-            range: () => this.ends[index],
+            range: (plot) => this.shownEnds(index, plot),
         });
+        this.axes = [
+            new ChartAxis(this.x, () => this.ends[0], 2, this.compact, () => false),
+            new ChartAxis(this.y, () => this.ends[1], 3, this.compact, () => this.isEmpty),
+        ];
         const plot = new uPlot(
             {
                 ...this.size(),
@@ -290,7 +277,7 @@ export class Chart implements Drawn {
                 legend: { show: false },
                 cursor: { show: false },
                 scales: { x: scale(0, this.x.log), y: scale(1, this.y.log) },
-                axes: [this.axis(this.x, this.ends[0][1], 2), this.axis(this.y, Math.max(Math.abs(this.ends[1][0]) * Number(!this.y.log), this.ends[1][1]), 3)],
+                axes: this.axes.map((own) => own.options),
                 series: [{}, { paths: () => null, points: { show: false } }],
                 hooks: { draw: [(made) => this.draw(made)] },
             },
@@ -302,6 +289,7 @@ export class Chart implements Drawn {
 
     private draw(plot: uPlot): void {
         const { ctx, bbox } = plot;
+        for (const axis of this.axes) axis.drawTitle(plot);
         ctx.save();
         ctx.beginPath();
         ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);

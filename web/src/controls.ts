@@ -123,7 +123,16 @@ export class Controls {
             groups.set(name, [...(groups.get(name) ?? []), control]);
         }
         const order = [...groups].sort(([a], [b]) => Number(OPEN.test(`${b}.`)) - Number(OPEN.test(`${a}.`)));
+        const focused = this.host.contains(document.activeElement) ? nameOf(document.activeElement!) : undefined;
         this.host.replaceChildren(...order.map(([name, controls]) => this.group(name, controls)));
+        if (focused !== undefined) this.focus(focused);
+    }
+
+    /** Gives the focus to the new element of a name, whose group opens. */
+    private focus(name: string): void {
+        const found = [...this.host.querySelectorAll<HTMLElement>("input, button, summary")].find((own) => nameOf(own) === name);
+        for (let group = found?.parentElement?.closest("details"); group; group = group.parentElement?.closest("details")) group.open = true;
+        found?.focus();
     }
 
     private group(name: string, controls: Control[]): HTMLElement {
@@ -257,6 +266,9 @@ export class Controls {
         this.design.set(key, withUnit(field.value, control.unit));
     }
 }
+
+/** Name of an element for a screen reader. */
+const nameOf = (element: Element) => element.ariaLabel ?? element.textContent!;
 
 /** Table and name of a key: "stop.tip". */
 function groupOf(key: string): string {

@@ -34,7 +34,7 @@ export class Load {
     offer(): void {
         const keys = this.controls.all.map((control) => control.key).filter((key) => /^circuit\..*resistance$/.test(key));
         if (keys.join() === [...this.over.options].map((option) => option.value).join()) return;
-        this.over.replaceChildren(...keys.map((key) => new Option(key, key)));
+        this.over.replaceChildren(...keys.map((key) => new Option(this.controls.title(key), key)));
     }
 
     run(): void {
@@ -86,7 +86,7 @@ export class Load {
         } else {
             this.set(false);
             const [ohm, watt] = this.points.reduce((most, point) => (point[1] > most[1] ? point : most), [0, 0]);
-            this.words.textContent = `largest power: ${quantity(watt, "W")} at ${quantity(ohm, "ohm")}`;
+            this.words.textContent = `largest power: ${quantity(watt, "W")} at ${quantity(ohm, "ohm")}; grey: without contact`;
         }
         this.redraw();
     }
@@ -113,7 +113,7 @@ export class Load {
         const [px, py] = [sorted.map((point) => point[0]), sorted.map((point) => point[1])];
         this.chart.host.setAttribute("aria-label", `Mean power over ${this.shown}. ${this.words.textContent}`);
         this.chart.show(
-            { words: this.shown || this.over.value, unit: "ohm", log: true, ends: x.length > 0 ? [x[0], x[x.length - 1]] : undefined },
+            { words: this.controls.title(this.shown || this.over.value), unit: "ohm", log: true, ends: x.length > 0 ? [x[0], x[x.length - 1]] : undefined },
             { words: "Mean power", unit: "W", log: true },
             [{ x, y, colour: colour("grey") }, { x: px, y: py, colour: colour("blue"), width: 1.5 }, { x: px, y: py, colour: colour("blue"), dots: 2.5 }],
         );

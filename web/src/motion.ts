@@ -128,6 +128,10 @@ export class Motion implements Drawn {
         for (const beam of this.beams) this.beam(ctx, beam);
     }
 
+    printed(): string | undefined {
+        return this.svg();
+    }
+
     svg(paper?: string): string | undefined {
         const ctx = this.canvas.getContext("2d");
         return ctx ? record(ctx, () => this.draw(), paper) : undefined;

@@ -1,6 +1,6 @@
 // Orbit of the selected point: histories, phase portrait, spectrum, force, multipliers, and the motion of the beams and plates.
 
-import { AROUND, Chart } from "./chart";
+import { Chart } from "./chart";
 import { Cursor } from "./cursor";
 import type { Frame } from "./frame";
 import { Motion } from "./motion";
@@ -45,8 +45,6 @@ export class Orbit {
             play.textContent = playing ? "Pause" : "Play";
             play.setAttribute("aria-pressed", String(playing));
         };
-        // The circle remains round.
-        new ResizeObserver(() => this.frame && this.circle(this.frame)).observe(this.multipliers.host);
         play.onclick = () => show(this.motion.toggle());
         show(this.motion.playing);
     }
@@ -146,7 +144,7 @@ export class Orbit {
         this.displacement.host.hidden = false;
         this.displacement.show(seconds, { words: "Position", unit: "m" }, own("displacement").map((curve) => ({ x: time, ...curve })), [], gaps.map((at) => ({ at, along: "y", words: "stop" })));
         this.phase.show(
-            { words: "Displacement", unit: "m" },
+            { words: "Displacement", unit: "m", room: true },
             { words: "Velocity", unit: "m/s" },
             stops.map((_, k) => ({ x: closed(frame.array(`displacement.${k}`)), y: closed(frame.array(`velocity.${k}`)), colour: nth(k) })),
             [],
@@ -161,20 +159,19 @@ export class Orbit {
 
     private amplitudes(frame: Frame): void {
         const lines = frame.array("spectrum.amplitude");
-        const most = lines.reduce((high, value) => Math.max(high, value), 1e-12);
-        this.spectrum.show({ words: "Frequency", unit: "Hz" }, { words: "Peak", unit: "V", log: true, ends: [1e-5 * most, 2 * most] }, [{ x: frame.array("spectrum.frequency"), y: lines.map((value) => Math.max(value, 1e-6 * most)), colour: colour("purple"), stems: true }]);
+        const most = lines.reduce((high, value) => Math.max(high, value), 0);
+        const curve = { x: frame.array("spectrum.frequency"), y: lines.map((value) => Math.max(value, 1e-6 * most)), colour: colour("purple"), stems: true };
+        this.spectrum.waiting = most > 0 ? "" : "no voltage";
+        this.spectrum.show({ words: "Frequency", unit: "Hz" }, { words: "Peak", unit: "V", log: true, ends: most > 0 ? [1e-5 * most, 2 * most] : undefined }, most > 0 ? [curve] : []);
         this.label(this.spectrum, "Spectrum of the voltage, up to twelve times the drive frequency");
     }
 
     private circle(frame: Frame): void {
         const [re, im] = [frame.array("multiplier.re"), frame.array("multiplier.im")];
-        const host = this.multipliers.host;
         const reach = Math.max(1.15, 1.1 * frame.head.floquet_max_abs);
-        // Equal scales make the circle round; the shorter side shows all of it.
-        const [width, height] = [Math.max(20, host.clientWidth - AROUND[0]), Math.max(20, host.clientHeight - AROUND[1])];
-        const [wide, high] = [width, height].map((side) => (reach * side) / Math.min(width, height));
+        const ends: [number, number] = [-reach, reach];
         const marks = Array.from(re, (x, k) => ({ x, y: im[k], colour: colour(Math.hypot(x, im[k]) < 1 ? "blue" : "vermilion"), shape: "circle" as const, size: 3 }));
-        this.multipliers.show({ words: "Multiplier, real", unit: "", ends: [-wide, wide] }, { words: "imaginary", unit: "", ends: [-high, high] }, [], marks, [], true);
+        this.multipliers.show({ words: "Multiplier, real", unit: "", ends }, { words: "imaginary", unit: "", ends }, [], marks, [], true);
     }
 
     private label(chart: Chart, words: string): void {

@@ -118,12 +118,20 @@ export function drawCurve(plot: uPlot, curve: Curve, ratio: number): void {
     } else {
         line(ctx, curve, at, ratio);
     }
-    if (curve.words && curve.x.length > 0) {
-        ctx.font = `${10 * ratio}px system-ui, sans-serif`;
-        [ctx.textAlign, ctx.textBaseline] = ["left", "alphabetic"];
-        ctx.fillText(curve.words, at(0)[0] + 6 * ratio, at(0)[1] - 6 * ratio);
-    }
+    if (curve.words && curve.x.length > 0) drawName(plot, curve.words, curve, ratio);
     ctx.globalAlpha = 1;
+}
+
+/** Writes the name of a curve at its first point: above the part that is as long as the name, or below it where there is no room above. */
+function drawName({ ctx, bbox, valToPos }: uPlot, words: string, curve: Curve, ratio: number): void {
+    const [size, away] = [10 * ratio, 6 * ratio];
+    ctx.font = `${size}px system-ui, sans-serif`;
+    [ctx.textAlign, ctx.textBaseline] = ["left", "alphabetic"];
+    const points = Array.from(curve.x, (x, k) => [valToPos(x, "x", true), valToPos(curve.y[k], "y", true)]);
+    const left = points[0][0] + away;
+    const heights = points.filter(([x, y]) => x <= left + ctx.measureText(words).width && Number.isFinite(y)).map(([, y]) => y);
+    const above = Math.min(...heights) - away;
+    ctx.fillText(words, left, above - size >= bbox.top ? above : Math.max(...heights) + away + size);
 }
 
 /** Area between two curves: one path for each run of points of one opacity. */

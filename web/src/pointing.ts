@@ -112,7 +112,9 @@ export class Pointing {
         const step = { ArrowRight: 1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
         if (branches.length === 0 || event.shiftKey) return;
         let { branch, point } = chosen;
-        if (step !== undefined) point = Math.min(Math.max(point + step, 0), branches[branch].x.length - 1);
+        if (event.key === "Home") point = 0;
+        else if (event.key === "End") point = branches[branch].x.length - 1;
+        else if (step !== undefined) point = Math.min(Math.max(point + step, 0), branches[branch].x.length - 1);
         else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
             const shown = new Set(this.response.drawn().map((own) => own.branch));
             const step = event.key === "ArrowUp" ? 1 : branches.length - 1;

@@ -3,10 +3,12 @@
 import { put } from "./picture";
 import type { Theme } from "./theme";
 
-/** A drawing on a canvas that can be made as SVG. */
+/** A drawing on a canvas that can be made as SVG for a print. */
 export interface Drawn {
     readonly canvas: HTMLCanvasElement | undefined;
     svg(paper?: string): string | undefined;
+    /** As it is printed. */
+    printed(): string | undefined;
 }
 
 /** Class of the drawings of a print; `colours.css` hides the canvases before them. */
@@ -24,7 +26,7 @@ export function preparePrints(theme: Theme, drawings: () => Iterable<Drawn>, bef
             if (!canvas?.checkVisibility()) continue;
             const printed = document.createElement("div");
             printed.className = PRINTED;
-            put(printed, drawing.svg() ?? "", "");
+            put(printed, drawing.printed() ?? "", "");
             canvas.after(printed);
         }
     });

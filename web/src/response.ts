@@ -82,6 +82,7 @@ export class Response {
     private draftError: DraftError | undefined;
     private hovered: Place | undefined;
     private readonly cursor = document.getElementById("response-cursor")!;
+    private readonly incomplete = document.getElementById("incomplete")!;
     onChoose: (place: Place, parameter?: number) => void = () => {};
 
     /** Called when the line of the operating point is dragged. */
@@ -168,7 +169,7 @@ export class Response {
         if (this.quantity === "strain" && this.strainLimit !== undefined) rules.push({ at: this.strainLimit, along: "y", words: `limit ${digits(this.strainLimit)} ppm` });
         if (this.at !== undefined) rules.push({ at: this.at, along: "x", words: quantity(this.at, result.unit, 5), strong: true });
         this.chart.waiting = this.isComputing(result) ? "computing strain" : "";
-        this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.isLog(result) }, curves, this.marks(result), rules);
+        this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.isLog(result), holds: this.heldLimit(result) }, curves, this.marks(result), rules);
         this.tell();
     }
 
@@ -180,6 +181,11 @@ export class Response {
     /** True where the vertical axis is logarithmic: not where all values are 0. */
     private isLog(result: ResponseResult): boolean {
         return this.log && (this.shownValues(result).some((value) => value > 0) || !this.shownValues(result).some((value) => value === 0));
+    }
+
+    /** The strain limit, where the logarithmic axis shows it next to the strain. */
+    private heldLimit(result: ResponseResult): number | undefined {
+        return this.quantity === "strain" && this.isLog(result) && !this.isComputing(result) ? this.strainLimit : undefined;
     }
 
     /** Values of the quantity on the branches that are shown. */
@@ -260,7 +266,7 @@ export class Response {
         if (!result) return;
         const hidden = result.branches.filter((branch) => !this.shows(branch)).length;
         const text = [
-            ...(this.isOld ? ["Draft: of an earlier design; curves may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : [stableWords(result, this.range), ...peakWords(this.widths, result.unit), sentence(result.budgetNote)]),
+            ...(this.isOld ? ["Draft: of an earlier design; curves may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : [stableWords(result, this.range), ...peakWords(this.widths, result.unit)]),
             ...(this.swept.some((point) => point.over === result.over && this.design.isOld(point)) ? ["The swept points are of an earlier design."] : []),
             ...this.zeroWords(result),
             ...(this.isComputing(result) ? ["Computing the strain."] : []),
@@ -271,6 +277,8 @@ export class Response {
             ...(result.branches.length === 0 && !result.draft && !this.isOld ? ["No periodic orbit was found in this range."] : []),
         ].filter(Boolean).join(" ");
         this.readout.show(text, result.note, this.draftError ? errorWords(this.draftError) : "", this.listed(result), result.unit, (found) => this.chooseNear(found));
+        this.incomplete.textContent = this.isOld || result.draft ? "" : sentence(result.budgetNote);
+        this.incomplete.hidden = this.incomplete.textContent === "";
         const count = result.branches.length;
         this.chart.host.setAttribute("aria-label", `${described(this.quantity, result).words} over ${result.over}: ${count} ${count === 1 ? "branch" : "branches"}. Arrow keys move along the branch. ${text}`);
         this.tellPoint(result);

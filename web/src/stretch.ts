@@ -20,7 +20,7 @@ export function drawStretch(frame: Frame, { displacement, phase, voltage }: Stre
     const [time, blue] = [frame.array("time"), colour("blue")];
     displacement.host.hidden = phase.host.hidden = false;
     displacement.show(seconds, { words: "Position", unit: "m" }, [{ x: time, y: frame.array("history.displacement"), colour: blue }], [], gap("y"));
-    phase.show({ words: "Displacement", unit: "m" }, { words: "Velocity", unit: "m/s" }, [{ x: frame.array("section.displacement"), y: frame.array("section.velocity"), colour: blue, dots: DOT }]);
+    phase.show({ words: "Displacement", unit: "m", room: true }, { words: "Velocity", unit: "m/s" }, [{ x: frame.array("section.displacement"), y: frame.array("section.velocity"), colour: blue, dots: DOT }]);
     voltage.show(seconds, { words: "Voltage", unit: "V" }, [{ x: time, y: frame.array("history.voltage"), colour: colour("green") }]);
     const label = (chart: Chart, words: string) => chart.host.setAttribute("aria-label", words);
     label(displacement, `Displacement towards the stop over ${head.history_cycles} drive cycles`);

@@ -1,44 +1,72 @@
-// Lines and labels of a logarithmic axis.
+// Values with a label on a logarithmic axis, and the lines of its grid.
+//
+// The labels are the first of these sets with at least two values that all have room:
+// 1. Below 0.7 decades: multiples of a step, 1, 2 or 5 times a power of ten.
+// 2. 1, 2 and 5 of each decade; with three powers of ten or more, these must have twice the room.
+// 3. Powers of ten; then every second, third, ... of them.
+// Where no set has two values with room: the first and the last line of the axis.
+// Pictures of the program have the same rule in crates/jounce-plot/src/axis/log_labels.rs; both are tested with tests/axes.json.
 
-/** Ratio of the ends of a logarithmic axis below which it has the steps of a linear one. */
-const NARROW = 4;
+/** Span below which a logarithmic axis has equal steps, decades. */
+const NARROW = 0.7;
+/** Number of equal steps of a narrow axis, at most. */
+const MAX_STEPS = 7;
+/** Span above which only the powers of ten are lines, decades. */
+const WIDE = 4;
+/** Rounding of the ends of an axis, relative to a step. */
+const ROUNDING = 1e-9;
 
-/** Positions of the lines of a logarithmic grid: 1 to 9 in each decade, only 1 over many decades. */
-export function decades(low: number, high: number): number[] {
-    if (high / low < NARROW) return steps(low, high);
-    const factors = high / low > 1e4 ? [1] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
-    const found: number[] = [];
-    for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); power++) {
-        for (const factor of factors) {
-            const place = Number(`${factor}e${power}`);
-            if (place >= low && place <= high) found.push(place);
-        }
+/** Values that may have labels, and how many times the least distance they must have. */
+interface LabelSet {
+    values: number[];
+    rooms: number;
+}
+
+/** Labelled values of an axis whose labels need the distance `nearest`, a share of the axis. */
+export function logLabels(low: number, high: number, nearest: number): number[] {
+    const decades = Math.log10(high / low);
+    const fits = ({ values, rooms }: LabelSet) => values.length > 1 && values.every((value, k) => k === 0 || Math.log10(value / values[k - 1]) >= rooms * nearest * decades);
+    return sets(low, high, decades).find(fits)?.values ?? ends(lines(low, high));
+}
+
+/** Lines of the grid. */
+export function lines(low: number, high: number): number[] {
+    const decades = Math.log10(high / low);
+    if (decades < NARROW) return multiples(low, high, finest(low, high));
+    return ofDecades(low, high, decades > WIDE ? [1] : [1, 2, 3, 4, 5, 6, 7, 8, 9]);
+}
+
+function sets(low: number, high: number, decades: number): LabelSet[] {
+    if (decades < NARROW) {
+        const steps: number[] = [];
+        for (let step = finest(low, high); step < high; step = stepOfAtLeast(1.5 * step)) steps.push(step);
+        return steps.map((step) => ({ values: multiples(low, high, step), rooms: 1 }));
     }
-    return found;
+    const powers = ofDecades(low, high, [1]);
+    const every = (count: number) => powers.filter((power) => Math.round(Math.log10(power)) % count === 0);
+    const thinned = powers.map((_, k) => ({ values: every(k + 1), rooms: 1 }));
+    return [{ values: ofDecades(low, high, [1, 2, 5]), rooms: powers.length < 3 ? 1 : 2 }, ...thinned];
 }
 
-/** Multiples of 1, 2 or 5 times a power of ten, about five of them. */
-function steps(low: number, high: number): number[] {
-    const wanted = (high - low) / 5;
-    const ten = 10 ** Math.floor(Math.log10(wanted));
-    const size = [1, 2, 5, 10].map((factor) => factor * ten).find((step) => step >= wanted)!;
-    return Array.from({ length: Math.floor(high / size) - Math.ceil(low / size) + 1 }, (_, k) => (Math.ceil(low / size) + k) * size);
+const finest = (low: number, high: number) => stepOfAtLeast((high - low) / MAX_STEPS);
+
+/** The smallest step of 1, 2 or 5 times a power of ten that is not below a value. */
+function stepOfAtLeast(value: number): number {
+    const power = Math.floor(Math.log10(value));
+    return Number(`${[1, 2, 5].find((factor) => factor * 10 ** power >= value * (1 - ROUNDING)) ?? 10}e${power}`);
 }
 
-/** Values of a logarithmic axis that have a label where so many labels fit, at least two if there are two: 1, 2 and 5 of each decade, or 1 alone. */
-export function labelled(values: number[], [low, high]: [number, number], room: number): number[] {
-    if (high / low < NARROW) return values;
-    const nearest = Math.log(high / low) / room;
-    const mantissa = (value: number) => Math.round((1e6 * value) / 10 ** Math.floor(Math.log10(value) + 1e-9)) / 1e6;
-    const [many, few] = [[1, 2, 5], [1]].map((own) => values.filter((value) => own.includes(mantissa(value))));
-    const fits = (own: number[]) => own.length > 1 && own.every((value, k) => k === 0 || Math.log(value / own[k - 1]) >= nearest);
-    const complete = [many, few].find(fits);
-    return complete ?? [few, many, values].map((own) => apart(own, nearest)).find((own) => own.length > 1) ?? values.slice(0, 1);
+function multiples(low: number, high: number, step: number): number[] {
+    const first = Math.ceil(low / step - ROUNDING);
+    const count = Math.floor(high / step + ROUNDING) - first + 1;
+    return Array.from({ length: count }, (_, k) => Number(((first + k) * step).toPrecision(12)));
 }
 
-/** Values without those that are too near to the one before. */
-function apart(values: number[], nearest: number): number[] {
-    const found: number[] = [];
-    for (const value of values) if (found.length === 0 || Math.log(value / found[found.length - 1]) >= nearest) found.push(value);
-    return found;
+/** Values of the given mantissas between both ends. */
+function ofDecades(low: number, high: number, mantissas: number[]): number[] {
+    const [first, last] = [Math.floor(Math.log10(low)), Math.ceil(Math.log10(high))];
+    const all = Array.from({ length: last - first + 1 }, (_, k) => mantissas.map((mantissa) => Number(`${mantissa}e${first + k}`))).flat();
+    return all.filter((value) => value >= low * (1 - ROUNDING) && value <= high * (1 + ROUNDING));
 }
+
+const ends = (values: number[]) => (values.length > 2 ? [values[0], values[values.length - 1]] : values);

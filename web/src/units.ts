@@ -26,10 +26,14 @@ export function sign(unit: string): string {
     return raised(unit.replace(/^u(?=[A-Za-z])/, "µ").replace("ohm", "Ω"));
 }
 
-/** A number with at most `digits` significant digits, without trailing zeros. */
+/** Numbers from here on have an exponent: "1e7" fits a field, "10000000" does not. */
+const LONG = 1e6;
+
+/** A number with at most `count` significant digits, without trailing zeros. */
 export function digits(value: number, count = 4): string {
     if (!Number.isFinite(value)) return "–";
     const text = value.toPrecision(count);
+    if (Math.abs(value) >= LONG) return Number(text).toExponential().replace("+", "");
     return text.includes("e") ? String(Number(text)) : text.includes(".") ? text.replace(/\.?0+$/, "") : text;
 }
 
@@ -52,9 +56,28 @@ export function quantityWithError(value: number, error: number | null, unit: str
     return `${text} ± ${digits(error / step, 2)} ${name}${sign(unit)}`;
 }
 
-/** Divisor and unit of an axis up to a value. */
-export function axisUnit(most: number, unit: string): [number, string] {
-    if (!takesPrefix(unit)) return [1, sign(unit)];
-    const [step, name] = prefix(most);
+/** Units that take a prefix on an axis: also a quotient, whose first unit takes it ("mm/s"). */
+const axisPrefix = (most: number, unit: string): [number, string] => (takesPrefix(unit.split("/")[0]) ? prefix(most) : [1, ""]);
+
+/** Divisor and unit of the numbers of a linear axis: those of its largest value. A round thousand at its end does not change the unit: 0 to 1000 Hz. */
+export function axisUnit(low: number, high: number, unit: string): [number, string] {
+    const most = Math.max(Math.abs(low), Math.abs(high));
+    const [size] = axisPrefix(most, unit);
+    const [step, name] = axisPrefix(size > 1 && most < 1.1 * size ? size / 1000 : most, unit);
     return [step, name + sign(unit)];
+}
+
+/** Divisor and unit of a logarithmic axis: those of its largest value where that makes the labels plain, else none. */
+export function logAxisUnit(low: number, high: number, unit: string): [number, string] {
+    const [step, name] = axisPrefix(high, unit);
+    return isPlain(low / step, high / step) ? [step, name + sign(unit)] : [1, sign(unit)];
+}
+
+/** True where the powers of ten of a logarithmic axis are readable as plain decimals: 0.001 to 10000. */
+export const isPlain = (low: number, high: number): boolean => Math.ceil(Math.log10(low)) >= -3 && Math.floor(Math.log10(high)) <= 4;
+
+/** A number of one digit as a power of ten: "10⁻⁵", "2×10⁻⁵". */
+export function scientific(value: number): string {
+    const [mantissa, power] = value.toExponential(6).split("e").map(Number);
+    return `${mantissa === 1 ? "" : `${mantissa}×`}10${raised(`^${power}`)}`;
 }

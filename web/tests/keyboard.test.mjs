@@ -113,4 +113,29 @@ test("a control that is hidden, disabled or removed by its own key leaves the fo
     await ready(page);
 });
 
+test("Home and End on the response select the ends of the branch", async () => {
+    const chart = page.locator("#chart-response");
+    await chart.focus();
+    const at = async () => parseFloat(await chart.getAttribute("aria-valuetext"));
+    await page.keyboard.press("Home");
+    const first = await at();
+    await page.keyboard.press("End");
+    const [from, to] = [await page.locator("#from").inputValue(), await page.locator("#to").inputValue()].map(Number);
+    const ends = [first, await at()].sort((a, b) => a - b);
+    assert.ok(Math.abs(ends[0] - from) < 0.01 && Math.abs(ends[1] - to) < 0.01, `${ends} of ${from} to ${to}`);
+    await enter(page.locator("#operating-show"));
+});
+
+test("a field whose number gets a slider keeps the focus", async () => {
+    await page.locator("summary", { hasText: /^patch/ }).click();
+    await field("patch.mfc.strain_limit").focus();
+    await page.keyboard.type("400 ppm");
+    await page.keyboard.press("Enter");
+    await page.getByRole("slider", { name: "patch.mfc.strain_limit", exact: true }).waitFor({ state: "visible" });
+    await ready(page);
+    assert.equal(await active(), "patch.mfc.strain_limit, value");
+    await page.locator("#reset").click();
+    await ready(page);
+});
+
 test("no error was printed in the browser", () => assert.deepEqual(page.faults, []));

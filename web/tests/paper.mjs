@@ -24,6 +24,12 @@ export function read(path) {
     };
 }
 
+/** Heights of the letters of a word wherever a PDF file has it, points. */
+export function heights(path, word) {
+    const found = call("pdftotext", "-bbox", path, "-").matchAll(/yMin="([\d.]+)" xMax="[\d.]+" yMax="([\d.]+)">([^<]*)</g);
+    return [...found].filter(([, , , own]) => own === word).map(([, top, low]) => low - top);
+}
+
 /** Writes the first page as `STEM.png` with a number of pixels per inch. */
 export function render(path, stem, resolution) {
     call("pdftoppm", "-png", "-singlefile", "-r", String(resolution), path, stem);

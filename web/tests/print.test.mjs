@@ -5,8 +5,8 @@ import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
 import { program } from "./browser.mjs";
-import { compare, missing, read, render } from "./paper.mjs";
-import { field, page, server } from "./suite.mjs";
+import { compare, heights, missing, read, render } from "./paper.mjs";
+import { field, page, server, until } from "./suite.mjs";
 
 const png = (content) => `data:image/png;base64,${content.toString("base64")}`;
 const svg = (content) => `data:image/svg+xml;base64,${content.toString("base64")}`;
@@ -50,6 +50,31 @@ test("a print says what is changed in the design", { skip: missing }, async () =
     await page.pdf({ path, preferCSSPageSize: true });
     assert.match(read(path).text, /stop\.tip\.gap = 0\.8 ?mm/);
     await page.locator("#reset").click();
+});
+
+test("letters of printed charts have one size on a sheet, whatever the width of the window", { skip: missing }, async () => {
+    for (const [paper, format] of [["A4", { width: "210mm", height: "297mm" }], ["A5", { width: "148mm", height: "210mm" }]]) {
+        for (const width of [390, 1280, 2560]) {
+            await page.setViewportSize({ width, height: 844 });
+            await page.waitForTimeout(300);
+            const path = join(server.folder, "size.pdf");
+            await page.pdf({ path, ...format });
+            const sizes = ["Drive", "Time"].flatMap((word) => heights(path, word));
+            assert.ok(sizes.length >= 2 && sizes.every((size) => size > 6 && size < 14), `${paper}, ${width} px: ${sizes} points`);
+        }
+    }
+    await page.setViewportSize({ width: 1280, height: 800 });
+});
+
+test("printed basins have their legend", { skip: missing }, async () => {
+    await page.locator("#tab-basins").click();
+    await page.locator("#basins-starts").selectOption("225");
+    await page.locator("#basins-run").click();
+    await until("basins-words", /expected power/);
+    const path = join(server.folder, "basins.pdf");
+    await page.pdf({ path });
+    assert.match(read(path).text, /1a: [\d.]+ % of the starts of the map/);
+    await page.locator("#tab-response").click();
 });
 
 test("the saved vectors of the response are the picture of its canvas", async () => {

@@ -1,6 +1,7 @@
 // Chart of the study, with the point under the mouse or chosen by the arrow keys.
 
-import { type Axis, Chart, around } from "../chart";
+import type { Axis } from "../axis";
+import { Chart, around } from "../chart";
 import type { Curve, Mark } from "../paint";
 import { colour, shade } from "../theme";
 import { Zoom } from "../zoom";

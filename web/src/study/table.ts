@@ -87,7 +87,7 @@ function numbers({ kind }: Column, cells: Column["cells"]): number[] {
 
 /** Divisor and unit in which table and axis show a column. */
 export function scale({ values, unit }: Column): [number, string] {
-    return axisUnit(values.filter(Number.isFinite).reduce((most, value) => Math.max(most, Math.abs(value)), 0), unit);
+    return axisUnit(0, values.filter(Number.isFinite).reduce((most, value) => Math.max(most, Math.abs(value)), 0), unit);
 }
 
 /** Different values of a column, from the smallest. */

@@ -1,5 +1,6 @@
 //! Axis of a panel.
 
+mod log_labels;
 pub(super) mod span;
 mod tick_positions;
 pub(super) mod ticks;

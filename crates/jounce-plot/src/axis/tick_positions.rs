@@ -1,5 +1,6 @@
 //! Positions of the ticks of an axis: equal steps or parts of decades.
 
+use super::log_labels::{LogLabels, log_labels, of_decades};
 use super::span::Span;
 use crate::{Axis, Scale};
 
@@ -11,15 +12,36 @@ pub(super) fn tick_positions(
     factor: f64,
     room: f64,
 ) -> (Vec<f64>, Vec<f64>, Option<i32>) {
-    let decades = (span.high / span.low).log10();
-    if span.scale == Scale::Linear || decades < 0.7 {
-        let (major, minor, decimals) =
-            equal_steps(axis.step.map(|step| step / factor), span, factor, room);
-        (major, minor, Some(decimals))
-    } else {
-        let (major, minor) = decade_steps(span, decades, room);
-        (major, minor, None)
+    match span.scale {
+        Scale::Linear => {
+            let (major, minor, decimals) =
+                equal_steps(axis.step.map(|step| step / factor), span, factor, room);
+            (major, minor, Some(decimals))
+        }
+        Scale::Log => decade_steps(span, factor, room),
     }
+}
+
+/// Labels of a logarithmic axis may be as near as half of the mean distance on a linear one: their
+/// distances differ.
+const NEAREST: f64 = 0.5;
+
+fn decade_steps(span: &Span, factor: f64, room: f64) -> (Vec<f64>, Vec<f64>, Option<i32>) {
+    let LogLabels { values, step } = log_labels(span.low, span.high, NEAREST / room);
+    if let Some(step) = step {
+        let decimals = -((step / factor).log10() + 1e-9).floor() as i32;
+        let (_, minor, _) = equal_steps(Some(step / factor), span, factor, room);
+        return (values, minor, Some(decimals));
+    }
+    let has_each_decade = values
+        .windows(2)
+        .all(|pair| pair[1] / pair[0] < 10.0 * (1.0 + 1e-9));
+    let mantissas = if has_each_decade {
+        &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0][..]
+    } else {
+        &[1.0]
+    };
+    (values, of_decades(span.low, span.high, mantissas), None)
 }
 
 fn equal_steps(
@@ -71,35 +93,4 @@ fn decimals_of(step: f64) -> i32 {
     (0..12)
         .find(|&d| (step * 10f64.powi(d)).fract().abs() < 1e-9)
         .unwrap_or(12)
-}
-
-fn decade_steps(span: &Span, decades: f64, room: f64) -> (Vec<f64>, Vec<f64>) {
-    let (first, last) = (
-        span.low.log10().floor() as i32,
-        span.high.log10().ceil() as i32,
-    );
-    let inside = |value: &f64| span.holds(*value);
-    let multiples = |mantissas: &'static [f64]| {
-        (first..=last)
-            .flat_map(|e| mantissas.iter().map(move |m| m * 10f64.powi(e)))
-            .filter(inside)
-    };
-    if decades < 1.6 {
-        return (
-            multiples(&[1.0, 2.0, 5.0]).collect(),
-            multiples(&[3.0, 4.0, 6.0, 7.0, 8.0, 9.0]).collect(),
-        );
-    }
-    let stride = (decades / room).ceil().max(1.0) as i32;
-    let major = (first..=last)
-        .filter(|e| e.rem_euclid(stride) == 0)
-        .map(|e| 10f64.powi(e))
-        .filter(inside)
-        .collect();
-    let minor = if stride == 1 {
-        &[2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0][..]
-    } else {
-        &[1.0]
-    };
-    (major, multiples(minor).collect())
 }

@@ -1,8 +1,8 @@
 //! Ticks of an axis and their labels.
 //!
-//! Linear axes step by 1, 2 or 5 times a power of ten. Logarithmic axes label the powers of ten, on
-//! short spans also 2 and 5; below 0.7 decades they step like linear ones. Values are written as
-//! plain decimals of a prefixed unit if these lie between 0.001 and 10000, else as powers of ten.
+//! Linear axes step by 1, 2 or 5 times a power of ten; logarithmic ones are labelled by the rule of
+//! [`super::log_labels`]. Values are written as plain decimals of a prefixed unit if these lie
+//! between 0.001 and 10000, else as powers of ten.
 
 use super::span::Span;
 use super::tick_positions::tick_positions;
@@ -236,7 +236,7 @@ mod tests {
 
     #[test]
     fn many_decades_are_thinned_and_short_spans_step_equally() {
-        assert!(ticks(Axis::log("a", "").between(1e-30, 1e30), 8.0).1.len() <= 9);
+        assert!(ticks(Axis::log("a", "").between(1e-30, 1e30), 8.0).1.len() <= 16);
         assert_eq!(
             ticks(Axis::log("Frequency", "Hz").between(8.0, 14.0), 6.0)
                 .1
@@ -263,7 +263,7 @@ mod tests {
             ticks(Axis::log("a", "W").between(1e-299, 1e299), 7.0)
                 .1
                 .len()
-                <= 9
+                <= 15
         );
     }
 }

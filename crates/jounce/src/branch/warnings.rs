@@ -18,15 +18,34 @@ pub(crate) fn search_note(seeds: usize, longest_period: u32) -> String {
     )
 }
 
-/// Returns the note on branches that a search did not follow to their end, or not at all; `None`
-/// where there are none.
+/// Returns the note of the live page on the branches that a search did not follow to their ends, or
+/// not at all; `None` where there are none.
 pub(crate) fn budget_note(branches: &[Branch], budget: usize) -> Option<String> {
     let is_stopped = |own: &&Branch| own.endings.contains(&analysis::Termination::Points);
     let stopped = branches.iter().filter(is_stopped).count();
     let missing: usize = branches.iter().map(|own| own.not_followed).sum();
-    (stopped + missing > 0).then(|| format!(
-        "the search may use {budget} drive cycles of orbits: {stopped} of {} branches were stopped, and the branches of {missing} period doublings were not continued; a shorter range has more of them",
-        branches.len()
+    let were = |count| if count == 1 { "was" } else { "were" };
+    let words = [
+        (stopped > 0).then(|| {
+            format!(
+                "{stopped} of {} branches {} not followed to the end",
+                branches.len(),
+                were(stopped)
+            )
+        }),
+        (missing > 0).then(|| {
+            let doublings = if missing == 1 {
+                "doubling"
+            } else {
+                "doublings"
+            };
+            format!("the branches of {missing} period {doublings} were not followed at all")
+        }),
+    ];
+    let parts: Vec<_> = words.into_iter().flatten().collect();
+    (!parts.is_empty()).then(|| format!(
+        "incomplete: {}. A search may use {budget} drive cycles of orbits. To follow the rest, search a shorter range (magnify it, then Use as range), or run jounce branch with a --budget above {budget}",
+        parts.join(", and ")
     ))
 }
 
@@ -151,9 +170,19 @@ mod tests {
             ..whole.clone()
         };
         assert_eq!(budget_note(std::slice::from_ref(&whole), 10), None);
-        let note = budget_note(&[whole, stopped, parent], 10).unwrap_or_default();
-        assert!(note.contains("may use 10 drive cycles"), "{note}");
-        assert!(note.contains("1 of 3 branches were stopped"), "{note}");
-        assert!(note.contains("branches of 3 period doublings"), "{note}");
+        let note = |branches: &[Branch]| budget_note(branches, 10).unwrap_or_default();
+        let both = note(&[whole, stopped.clone(), parent]);
+        assert!(
+            both.starts_with("incomplete: 1 of 3 branches was not followed to the end, and the branches of 3 period doublings were not followed at all. "),
+            "{both}"
+        );
+        assert!(both.contains("may use 10 drive cycles of orbits"), "{both}");
+        assert!(both.contains("search a shorter range"), "{both}");
+        assert!(both.contains("--budget above 10"), "{both}");
+        let one = note(&[stopped.clone(), stopped]);
+        assert!(
+            one.starts_with("incomplete: 2 of 2 branches were not followed to the end. "),
+            "{one}"
+        );
     }
 }
