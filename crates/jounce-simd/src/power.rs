@@ -94,7 +94,8 @@ pub fn power<W: Simd>(w: W, base: W::Register, exponent: f64) -> W::Register {
 }
 
 /// Returns a sum of ascending powers.
-// A loop: the compiler does not inline `Iterator::rfold` everywhere, and registers do not survive calls.
+// A loop: the compiler does not inline `Iterator::rfold` everywhere, and around a call registers are
+// written to memory.
 #[inline(always)]
 fn sum<W: Simd>(w: W, coefficients: &[f64], x: W::Register) -> W::Register {
     let mut sum = w.zero();

@@ -141,17 +141,12 @@ pub fn physical(plant: &Plant, starts: &InitialStates) -> Vec<Vec<f64>> {
 pub fn compare(file: &SpecFile, starts: InitialStates, effort: &Effort) -> Agreement {
     let prepared = Model::new(file.spec().unwrap()).unwrap();
     let plant = &prepared.kernel.plant;
-    let drive = &plant.system.drives[0];
-    let key = (
-        format!("drive.{}.frequency", drive.name),
-        drive.frequency_hz,
-    );
     let begin = Instant::now();
     let physical = physical(plant, &starts);
     let endings = endings(&plant.system, &physical, effort);
     let brute_s = begin.elapsed().as_secs_f64();
     let begin = Instant::now();
-    let results = accounts(file, (&key.0, key.1), starts);
+    let results = accounts(file, starts);
     let library_s = begin.elapsed().as_secs_f64();
     let of = |index: usize| {
         results
@@ -186,8 +181,7 @@ pub fn compare(file: &SpecFile, starts: InitialStates, effort: &Effort) -> Agree
     }
 }
 
-/// Coverage of brute-force shares by the library's intervals for blocks of the starts. The starts of a
-/// cloud are drawn one by one, so each block also forms a cloud.
+/// Coverage of brute-force shares by the library's intervals for blocks of the starts.
 fn coverage_of_other_starts(endings: &[Ending], accounts: &[Account]) -> [usize; 2] {
     let (all, block) = (endings.len(), endings.len() / BLOCKS);
     let groups = groups(endings);
@@ -197,17 +191,30 @@ fn coverage_of_other_starts(endings: &[Ending], accounts: &[Account]) -> [usize;
         let reached = accounts
             .iter()
             .find(|account| verdict(ending, Some(account)) == Verdict::Same);
-        for first in (0..BLOCKS).map(|k| k * block) {
-            let is_here = |start: &&usize| (first..first + block).contains(*start);
-            let hits = reached.map_or(0, |account| account.starts.iter().filter(is_here).count());
-            let others = group.iter().filter(|start| !is_here(start)).count();
-            let share = others as f64 / (all - block) as f64;
-            let interval = wilson(hits, block);
-            checked += 1;
-            inside += usize::from((interval.low..=interval.high).contains(&share));
-        }
+        let found = reached.map_or(&[][..], |account| &account.starts);
+        checked += BLOCKS;
+        inside += blocks_inside((found, group), (BLOCKS, block), all);
     }
     [checked, inside]
+}
+
+/// Number of blocks of starts in which the interval of the share of `found` contains the share of
+/// `reference` among all other starts. The starts of a cloud are drawn one by one, so each block is a
+/// cloud too.
+pub fn blocks_inside(
+    (found, reference): (&[usize], &[usize]),
+    (blocks, block): (usize, usize),
+    all: usize,
+) -> usize {
+    let is_inside = |first: &usize| {
+        let is_here = |start: &&usize| (*first..first + block).contains(*start);
+        let hits = found.iter().filter(is_here).count();
+        let others = reference.iter().filter(|start| !is_here(start)).count();
+        let share = others as f64 / (all - block) as f64;
+        let interval = wilson(hits, block);
+        (interval.low..=interval.high).contains(&share)
+    };
+    (0..blocks).map(|k| k * block).filter(is_inside).count()
 }
 
 /// Number of attractors by brute force, and of those whose share lies in the library's interval.

@@ -27,15 +27,9 @@ pub enum AccountKind {
     Undecided,
 }
 
-/// Returns the results for all starts; a start in no list is undecided. `key` is any numeric key of
-/// the spec.
-pub fn accounts(file: &SpecFile, (key, value): (&str, f64), starts: InitialStates) -> Vec<Account> {
-    let mut spec = file.spec().unwrap();
-    file.numeric_key(key)
-        .unwrap()
-        .set(&mut spec, value)
-        .unwrap();
-    let base = Model::new(spec).unwrap();
+/// Returns the results for all starts; a start in no list is undecided.
+pub fn accounts(file: &SpecFile, starts: InitialStates) -> Vec<Account> {
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let basins = Basins {
         base: &base,
         starts,

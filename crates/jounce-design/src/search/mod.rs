@@ -37,7 +37,8 @@ const BATCH: usize = 8;
 
 /// Searches for the best design of a problem, and examines it. After a stop by the control, the
 /// best design so far is the result. `journal` keeps the evaluations, from which an interrupted
-/// search resumes. The control counts the evaluated designs of at most `evaluations`. `improved` is called with each better design; the result does not depend on it.
+/// search resumes. The progress of the control is the number of evaluated designs, of at most
+/// `evaluations`. `improved` is called with each better design; the result does not depend on it.
 ///
 /// # Errors
 /// No model can be built, no design can be evaluated, the journal cannot be written, or the search is
