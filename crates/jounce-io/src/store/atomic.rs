@@ -221,7 +221,7 @@ fn flush_name(target: &Path) {
 
 /// Creates a temporary file with the permissions of an ordinary new file (the process's mask
 /// applies).
-pub(super) fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
+fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder
         .prefix(PREFIX)

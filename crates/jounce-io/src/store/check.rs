@@ -1,6 +1,6 @@
 //! Tests before a computation whether its results can be written. They leave no file and no folder.
 
-use super::atomic::{StoreError, folder_of, target_of, temporary_file};
+use super::atomic::{StoreError, folder_of, target_of};
 use std::path::Path;
 
 /// Checks that a file can be written at a path.
@@ -20,7 +20,9 @@ pub fn check_folder(folder: &Path) -> Result<(), StoreError> {
     check_writable(folder, folder)
 }
 
-/// Tries a file in a folder; in place of a missing one, in the nearest folder above it.
+/// Tries a file in a folder; in place of a missing one, in the nearest folder above it. The file has
+/// no name, so that a process killed at this moment leaves nothing in a folder that no later command
+/// writes into.
 fn check_writable(path: &Path, folder: &Path) -> Result<(), StoreError> {
     let mut nearest = folder;
     // The current folder may be unreadable too.
@@ -31,7 +33,7 @@ fn check_writable(path: &Path, folder: &Path) -> Result<(), StoreError> {
         let reason = format!("\"{}\" is not a folder", nearest.display());
         return Err(StoreError::new(path, reason));
     }
-    match temporary_file(nearest) {
+    match tempfile::tempfile_in(nearest) {
         Ok(_) => Ok(()),
         Err(error) => Err(StoreError::of_system(path, &error)),
     }
