@@ -111,16 +111,17 @@ impl Flow {
         flow
     }
 
-    /// Returns the entries `a, b, c, d` of pair `k`.
+    /// Returns the vectors of the entries `a, b, c, d` of a vector of pairs.
     #[inline(always)]
-    pub fn pair(&self, k: usize) -> [f64; 4] {
-        std::array::from_fn(|entry| self.pairs[entry][k / LANES].0[k % LANES])
+    pub fn pair_vectors(&self, k: usize) -> [&F64x8; 4] {
+        let [a, b, c, d] = &self.pairs;
+        [&a[k], &b[k], &c[k], &d[k]]
     }
 
-    /// Returns the entry of real `k`.
+    /// Returns a vector of reals.
     #[inline(always)]
-    pub fn real(&self, k: usize) -> f64 {
-        self.reals[k / LANES].0[k % LANES]
+    pub fn real_vector(&self, k: usize) -> &F64x8 {
+        &self.reals[k]
     }
 
     /// Returns the number of vectors of pairs.

@@ -1,17 +1,18 @@
 //! Linearised contact step for all ports in contact at once.
 
-use super::elimination::NodeSystem;
+use super::elimination::{NODES_PER_PASS, NodeSystem};
 use super::parameter_sensitivity::DrivenNodeMotion;
 use super::parameters::NodeLaws;
-use super::tangents::{NODES_PER_PASS, add_scaled, sums};
+use super::tangents::sums;
 use super::variational_integration::VariationalIntegration;
 use crate::flow::state::{add_force_response, columns};
 use crate::force_response::basis::NODES;
 use crate::kernel::{ForceBasis, Kernel};
+use crate::ports::small_list::SmallList;
 use crate::record::trajectory::TrajectorySegment;
 use crate::tables::joint::{JointTables, StepLength};
 use jounce_model::contact::{ContactLaw, Slopes};
-use jounce_simd::{F64x8, LANES, Simd};
+use jounce_simd::{F64x8, Simd};
 
 /// Law of a port along a step.
 struct LawNodes {
@@ -45,7 +46,7 @@ impl VariationalIntegration<'_, '_> {
     #[inline(always)]
     pub(super) fn contact<W: Simd>(&mut self, w: W, segment: &TrajectorySegment, after: &[f64]) {
         let kernel = self.kernel;
-        let ports: Vec<(usize, ForceBasis)> = segment
+        let ports: SmallList<(usize, ForceBasis)> = segment
             .forces
             .iter()
             .map(|force| (force.port, force.shape))
@@ -65,7 +66,7 @@ impl VariationalIntegration<'_, '_> {
             self.system = NodeSystem::new(ports.len(), self.tangents.width);
         }
         kernel.layout.pack_into(&segment.state, &mut self.packed);
-        let mut nodes: Vec<LawNodes> = Vec::with_capacity(ports.len());
+        let mut nodes = SmallList::<LawNodes>::new();
         for index in 0..ports.len() {
             nodes.push(self.nodes(w, &tables, segment, index));
         }
@@ -115,7 +116,7 @@ impl VariationalIntegration<'_, '_> {
         }
         self.system.solve(w);
         if let Some((parameters, step)) = parameters.as_mut().zip(step.as_ref()) {
-            let system = Some(&mut self.system);
+            let system = Some(&self.system);
             parameters.add_outputs(kernel, segment, step, &self.tangents, system, shift_s);
         }
         self.advance(w, tables);
@@ -150,21 +151,24 @@ impl VariationalIntegration<'_, '_> {
             w.mul(damping, w.load(&driven.acceleration_m_s2)),
         );
         let by_time = w.store(by_time);
-        for i in 0..NODES {
-            let right = self.system.right(index * NODES + i);
-            self.tangents.drift(right, right_sides.0[i]);
-            if let Some(shift_s) = shift_s {
-                add_scaled(w, right, by_time.0[i], shift_s);
+        let (lane, column) = self.tangents.drift_column();
+        for (right, drift) in self.system.right(index, lane).iter_mut().zip(right_sides.0) {
+            right.0[column] += drift;
+        }
+        for (lane, shift_s) in shift_s.iter().copied().flatten().enumerate() {
+            let shift_s = w.load(shift_s);
+            for (right, by_time) in self.system.right(index, lane).iter_mut().zip(by_time.0) {
+                *right = w.store(w.fma(w.splat(by_time), shift_s, w.load(right)));
             }
-            for from in 0..tables.ports.len() {
-                let mut row = row(
-                    tables.responses(from, index),
-                    i,
-                    nodes.stiffness_n_m.0[i],
-                    nodes.damping_n_s_m.0[i],
-                );
-                row.0[i] += if from == index { 1.0 } else { 0.0 };
-                *self.system.matrix(index * NODES + i, from) = row;
+        }
+        for from in 0..tables.ports.len() {
+            let [displacement, velocity] = tables.responses(from, index);
+            let block = self.system.block(from, index);
+            for j in 0..NODES {
+                let by_depth = w.mul(stiffness, w.load(&displacement[j]));
+                let by_rate = w.mul(damping, w.load(&velocity[j]));
+                block[j] = w.store(w.sub(w.sub(w.zero(), by_depth), by_rate));
+                block[j].0[j] += if from == index { 1.0 } else { 0.0 };
             }
         }
     }
@@ -255,85 +259,42 @@ impl VariationalIntegration<'_, '_> {
             self.law(tables.ports[index].0).is_rate_dependent(),
         );
         let (stiffness, damping) = (w.load(&nodes.stiffness_n_m), w.load(&nodes.damping_n_s_m));
-        for (state, factor) in self.factors.iter_mut().enumerate() {
-            let column = layout.column(state);
+        let force = |column: usize| {
             let mut sum = w.mul(stiffness, w.load(&table.displacement.columns[column]));
             if needs_rate {
                 sum = w.fma(damping, w.load(&table.velocity.columns[column]), sum);
             }
-            *factor = w.store(sum);
+            w.store(sum)
+        };
+        let (paired, reals) = self.factors.split_at_mut(2 * layout.pairs);
+        for (k, pair) in paired.chunks_exact_mut(2).enumerate() {
+            (pair[0], pair[1]) = (force(k), force(layout.pairs + k));
+        }
+        for (k, real) in reals.iter_mut().enumerate() {
+            *real = force(2 * layout.pairs + k);
         }
         for (lane, group) in self.tangents.groups().enumerate() {
-            // All at once they would exceed the registers of most machines.
-            let sums = [
-                sums(w, &self.factors, group, 0),
-                sums(w, &self.factors, group, NODES_PER_PASS),
-            ];
-            for (i, sum) in sums.into_iter().flatten().take(NODES).enumerate() {
-                self.system.right(index * NODES + i)[lane] = w.store(sum);
+            let low: [_; NODES_PER_PASS] = sums(w, &self.factors, group, 0);
+            let high: [_; NODES - NODES_PER_PASS] = sums(w, &self.factors, group, NODES_PER_PASS);
+            let right = self.system.right(index, lane);
+            for (right, sum) in right.iter_mut().zip(low.into_iter().chain(high)) {
+                *right = w.store(sum);
             }
         }
     }
 
-    /// Computes `dy = e^{A h} dy + B X` of the first port, and adds `B X` of the others.
+    /// Computes `dy = e^{A h} dy + B X` of all ports.
     #[inline(always)]
     fn advance<W: Simd>(&mut self, w: W, tables: &JointTables) {
-        let (layout, table) = (self.kernel.layout, tables.table(0));
-        let pushes = |index: usize| {
-            tables
-                .table(index)
-                .push(&self.kernel.vectors[tables.ports[index].0].column)
-        };
-        let push = pushes(0);
-        for (lane, group) in self.tangents.groups_mut().enumerate() {
-            let solution = self.system.column(w, 0, lane);
-            let (paired, reals) = group.split_at_mut(2 * layout.pairs);
-            for (k, pair) in paired.chunks_exact_mut(2).enumerate() {
-                let ([a, b, c, d], index) = (table.flow.pair(k), k % LANES);
-                let (push_u, push_v) = (&push[k / LANES], &push[layout.pair_lanes + k / LANES]);
-                let (u, v) = (w.load(&pair[0]), w.load(&pair[1]));
-                let mut next_u = w.fma(w.splat(a), u, w.mul(w.splat(b), v));
-                let mut next_v = w.fma(w.splat(c), u, w.mul(w.splat(d), v));
-                for ((by_u, by_v), x) in push_u.iter().zip(push_v).zip(solution) {
-                    next_u = w.fma(w.splat(by_u.0[index]), x, next_u);
-                    next_v = w.fma(w.splat(by_v.0[index]), x, next_v);
-                }
-                (pair[0], pair[1]) = (w.store(next_u), w.store(next_v));
-            }
-            for (k, row) in reals.iter_mut().enumerate() {
-                let (push, index) = (&push[2 * layout.pair_lanes + k / LANES], k % LANES);
-                let mut next = w.mul(w.splat(table.flow.real(k)), w.load(row));
-                for (by, x) in push.iter().zip(solution) {
-                    next = w.fma(w.splat(by.0[index]), x, next);
-                }
-                *row = w.store(next);
-            }
-            for other in 1..tables.ports.len() {
-                let (push, solution) = (pushes(other), self.system.column(w, other, lane));
-                for (state, row) in group.iter_mut().enumerate() {
-                    let (at, index) = layout.locate(state);
-                    let mut next = w.load(row);
-                    for (by, x) in push[at].iter().zip(solution) {
-                        next = w.fma(w.splat(by.0[index]), x, next);
-                    }
-                    *row = w.store(next);
-                }
+        let kernel = self.kernel;
+        let (layout, flow) = (&kernel.layout, &tables.table(0).flow);
+        for (index, (port, _)) in tables.ports.iter().enumerate() {
+            let push = tables.table(index).push(&kernel.vectors[*port].column);
+            if index == 0 {
+                self.tangents.step(w, layout, flow, push, &self.system);
+            } else {
+                self.tangents.push(w, layout, push, (&self.system, index));
             }
         }
     }
-}
-
-/// Returns a row of `-J D - J' D'`.
-#[inline(always)]
-fn row(
-    [displacement, velocity]: [&[F64x8; NODES]; 2],
-    i: usize,
-    stiffness_n_m: f64,
-    damping_n_s_m: f64,
-) -> F64x8 {
-    let mut row = F64x8::ZERO;
-    for j in 0..NODES {
-        row.0[j] = -stiffness_n_m * displacement[j].0[i] - damping_n_s_m * velocity[j].0[i];
-    }
-    row
 }

@@ -1,11 +1,12 @@
 //! Derivatives of the state by all start states and by the parameter at once.
 
+use super::elimination::NodeSystem;
 use super::parameters::first_vector;
+use crate::flow::Flow;
+use crate::flow::layout::StateLayout;
+use crate::force_response::basis::NODES;
 use jounce_linalg::Mat;
 use jounce_simd::{F64x8, LANES, Simd};
-
-/// Nodes in one pass over the tangents.
-pub const NODES_PER_PASS: usize = LANES / 2;
 
 /// Columns in groups of eight, one after the other: each group has one vector per state. The first
 /// columns belong to the start states, the next one to the parameter.
@@ -49,10 +50,10 @@ impl Tangents {
         self.lanes.chunks_exact_mut(self.states.max(1))
     }
 
-    /// Adds to the parameter column of a row.
+    /// Returns vector and lane of the parameter column.
     #[inline(always)]
-    pub fn drift(&self, row: &mut [F64x8], by: f64) {
-        row[self.states / LANES].0[self.states % LANES] += by;
+    pub fn drift_column(&self) -> (usize, usize) {
+        (self.states / LANES, self.states % LANES)
     }
 
     /// Computes `row . dy` for every column, plus the contribution of the parameter.
@@ -66,7 +67,8 @@ impl Tangents {
             }
             sums.push(w.store(sum));
         }
-        self.drift(&mut sums, drift);
+        let (lane, column) = self.drift_column();
+        sums[lane].0[column] += drift;
         sums
     }
 
@@ -97,6 +99,72 @@ impl Tangents {
         }
     }
 
+    /// Computes `dy = e^{A h} dy + B X` of a step; `push` is `B` of one port, `X` the solutions of
+    /// its nodes.
+    #[inline(always)]
+    pub fn step<W: Simd>(
+        &mut self,
+        w: W,
+        layout: &StateLayout,
+        flow: &Flow,
+        push: &[[F64x8; NODES]],
+        system: &NodeSystem,
+    ) {
+        let (of_u, rest) = push.split_at(layout.pair_lanes);
+        let (of_v, of_r) = rest.split_at(layout.pair_lanes);
+        for (lane, group) in self.lanes.chunks_exact_mut(self.states.max(1)).enumerate() {
+            let solutions = system.solution(0, lane);
+            let (paired, reals) = group.split_at_mut(2 * layout.pairs);
+            let vectors = paired.chunks_mut(2 * LANES).zip(of_u.iter().zip(of_v));
+            for (at, (rows, (by_u, by_v))) in vectors.enumerate() {
+                let [a, b, c, d] = flow.pair_vectors(at);
+                for (k, pair) in (0..LANES).zip(rows.chunks_exact_mut(2)) {
+                    let (u, v) = (w.load(&pair[0]), w.load(&pair[1]));
+                    let mut next_u = w.fma(w.splat(a.0[k]), u, w.mul(w.splat(b.0[k]), v));
+                    let mut next_v = w.fma(w.splat(c.0[k]), u, w.mul(w.splat(d.0[k]), v));
+                    for j in 0..NODES {
+                        let x = w.load(&solutions[j]);
+                        next_u = w.fma(w.splat(by_u[j].0[k]), x, next_u);
+                        next_v = w.fma(w.splat(by_v[j].0[k]), x, next_v);
+                    }
+                    (pair[0], pair[1]) = (w.store(next_u), w.store(next_v));
+                }
+            }
+            for (at, (rows, by)) in reals.chunks_mut(LANES).zip(of_r).enumerate() {
+                let decay = flow.real_vector(at);
+                for (k, row) in (0..LANES).zip(rows) {
+                    let mut next = w.mul(w.splat(decay.0[k]), w.load(row));
+                    for j in 0..NODES {
+                        next = w.fma(w.splat(by[j].0[k]), w.load(&solutions[j]), next);
+                    }
+                    *row = w.store(next);
+                }
+            }
+        }
+    }
+
+    /// Adds `B X` of a further port, by its index among the ports in contact.
+    #[inline(always)]
+    pub fn push<W: Simd>(
+        &mut self,
+        w: W,
+        layout: &StateLayout,
+        push: &[[F64x8; NODES]],
+        (system, port): (&NodeSystem, usize),
+    ) {
+        for (lane, group) in self.lanes.chunks_exact_mut(self.states.max(1)).enumerate() {
+            let solutions = system.solution(port, lane);
+            for (state, row) in group.iter_mut().enumerate() {
+                let (at, index) = layout.locate(state);
+                let mut next = w.load(row);
+                for (by, x) in push[at].iter().zip(solutions) {
+                    next = w.fma(w.splat(by.0[index]), w.load(x), next);
+                }
+                *row = w.store(next);
+            }
+        }
+    }
+
     /// Computes `dy = matrix dy`.
     pub fn transform(&mut self, matrix: &Mat<f64>) {
         let mut before = vec![F64x8::ZERO; self.states];
@@ -119,15 +187,6 @@ impl Tangents {
     }
 }
 
-/// Computes `sum += factor values`.
-#[inline(always)]
-pub fn add_scaled<W: Simd>(w: W, sum: &mut [F64x8], factor: f64, values: &[F64x8]) {
-    let factor = w.splat(factor);
-    for (sum, value) in sum.iter_mut().zip(values) {
-        *sum = w.store(w.fma(factor, w.load(value), w.load(sum)));
-    }
-}
-
 /// Computes `row *= factor`.
 #[inline(always)]
 pub fn scale<W: Simd>(w: W, row: &mut [F64x8], factor: f64) {
@@ -136,15 +195,15 @@ pub fn scale<W: Simd>(w: W, row: &mut [F64x8], factor: f64) {
     }
 }
 
-/// Sums a group of tangents by the factors of some nodes, from `first` on.
+/// Sums a group of tangents by the factors of `COUNT` nodes, from `first` on.
 #[inline(always)]
-pub fn sums<W: Simd>(
+pub fn sums<W: Simd, const COUNT: usize>(
     w: W,
     factors: &[F64x8],
     group: &[F64x8],
     first: usize,
-) -> [W::Register; NODES_PER_PASS] {
-    let mut sums = [w.zero(); NODES_PER_PASS];
+) -> [W::Register; COUNT] {
+    let mut sums = [w.zero(); COUNT];
     for (factor, value) in factors.iter().zip(group) {
         let value = w.load(value);
         for (i, sum) in sums.iter_mut().enumerate() {

@@ -80,17 +80,11 @@ impl Parameters<'_> {
         segment: &TrajectorySegment,
         step: &ParameterStep,
         tangents: &Tangents,
-        mut system: Option<&mut NodeSystem>,
+        system: Option<&NodeSystem>,
         shift_s: Option<&[F64x8]>,
     ) {
         for index in 0..self.loads.len() {
-            self.add_energy(
-                kernel,
-                step,
-                index,
-                (tangents, system.as_deref_mut()),
-                shift_s,
-            );
+            self.add_energy(kernel, step, index, (tangents, system), shift_s);
         }
         let end_s = segment.start_s + segment.length_s;
         let wanted = self.request.times_s;
@@ -98,7 +92,6 @@ impl Parameters<'_> {
             if *time_s >= end_s {
                 break;
             }
-            let system = system.as_deref_mut();
             let x = ((time_s - segment.start_s) / segment.length_s).max(0.0);
             self.states
                 .push(self.state(kernel, step, (tangents, system), (*time_s, x), segment));
@@ -111,7 +104,7 @@ impl Parameters<'_> {
         kernel: &Kernel,
         step: &ParameterStep,
         index: usize,
-        (tangents, system): (&Tangents, Option<&mut NodeSystem>),
+        (tangents, system): (&Tangents, Option<&NodeSystem>),
         shift_s: Option<&[F64x8]>,
     ) {
         let (motion, load) = (&step.motion, &self.loads[index]);
@@ -150,10 +143,7 @@ impl Parameters<'_> {
         if let Some(system) = system {
             for (at, (port, responses, _)) in motion.forces.iter().enumerate() {
                 let by_force = functional.of_force(responses, &kernel.plant.ports[*port].force);
-                for (j, factor) in by_force.into_iter().enumerate() {
-                    let row = system.right(at * NODES + j);
-                    add_scaled(&mut self.energy, factor, row);
-                }
+                add_forces(&mut self.energy, (system, at), &by_force);
             }
         }
         if let Some(shift_s) = shift_s {
@@ -204,7 +194,7 @@ impl Parameters<'_> {
         &self,
         kernel: &Kernel,
         step: &ParameterStep,
-        (tangents, mut system): (&Tangents, Option<&mut NodeSystem>),
+        (tangents, system): (&Tangents, Option<&NodeSystem>),
         (time_s, x): (f64, f64),
         segment: &TrajectorySegment,
     ) -> StateTangents {
@@ -228,23 +218,15 @@ impl Parameters<'_> {
         }
         let forces = motion.forces.iter().zip(&segment.forces).enumerate();
         for (at, ((port, responses, _), force)) in forces {
-            let Some(system) = system.as_deref_mut() else {
+            let Some(system) = system else {
                 break;
             };
             let functions = kernel.basis(force.port, force.shape).at(x.min(1.0));
             let column = &kernel.plant.ports[*port].force;
-            for (j, function) in functions.into_iter().enumerate() {
-                add_scaled(
-                    &mut forces_by[*port],
-                    function,
-                    system.right(at * NODES + j),
-                );
-            }
+            add_forces(&mut forces_by[*port], (system, at), &functions);
             for (unit, sum) in units.iter().zip(&mut by) {
                 let factors = functional(unit).of_force(responses, column);
-                for (j, factor) in factors.into_iter().enumerate() {
-                    add_scaled(sum, factor, system.right(at * NODES + j));
-                }
+                add_forces(sum, (system, at), &factors);
             }
         }
         for (g, forced) in step.forced.iter().enumerate() {
@@ -274,6 +256,14 @@ fn add_rows(sum: &mut [F64x8], tangents: &Tangents, factors: &[f64]) {
         *lane = pairs.fold(*lane, |sum, (tangent, factor)| {
             sum.add_scaled(*factor, tangent)
         });
+    }
+}
+
+/// Adds the derivatives of the nodal forces of a port, by its index, each times a factor.
+fn add_forces(sum: &mut [F64x8], (system, port): (&NodeSystem, usize), factors: &[f64; NODES]) {
+    for (lane, sum) in sum.iter_mut().enumerate() {
+        let forces = system.solution(port, lane).iter().zip(factors);
+        *sum = forces.fold(*sum, |sum, (force, factor)| sum.add_scaled(*factor, force));
     }
 }
 

@@ -88,8 +88,8 @@ impl Parameters<'_> {
                     let moving = value_at(&rate, values).add_scaled(1.0, &tones[1]);
                     right = right.add_scaled(laws.slopes[1].0[i], &moving);
                 }
-                let row = &mut system.right(laws.index * NODES + i)[self.first + g];
-                *row = row.add_scaled(1.0, &right);
+                let sum = &mut system.right(laws.index, self.first + g)[i];
+                *sum = sum.add_scaled(1.0, &right);
             }
         }
     }
