@@ -50,6 +50,9 @@ class BasinsResult(Result):
     expected_power_high_w: Annotated[float, Along("", "W", "upper end of the 95 % interval of the expected power")]
     starts: Annotated[int, About("number of starts")]
     finished: Annotated[int, About("number of finished starts")]
+    chaotic_transients: Annotated[
+        int, About("number of starts that reach their orbit after a chaotic transient: roundoff decides which orbit each of them reaches")
+    ]
     seed: Annotated[int, About("seed of the cloud")]
     gap_m: Annotated[
         float | None,

@@ -63,7 +63,8 @@ pub use orbit_derivatives::{
 pub use parameter::Parameter;
 pub(crate) use recognition::settled_orbits;
 pub use recognition::{
-    Aperiodic, AttractingOrbit, AttractorKind, Lyapunov, Recognition, Recognizer, SteadyState,
+    Aperiodic, AttractingOrbit, AttractorKind, Lyapunov, MIN_TRANSIENT_CYCLES, ReachedOrbit,
+    Recognition, Recognizer, SteadyState,
 };
 pub use recognition::{largest_exponent, settled_orbit};
 pub use sweep::{Sweep, SweepOrder};

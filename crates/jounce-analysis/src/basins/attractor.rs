@@ -54,6 +54,8 @@ pub struct BasinsResult {
     pub expected_power_high_w: f64,
     /// Starts whose integration failed, with the reason.
     pub lost: Vec<(usize, String)>,
+    /// Starts that reach one of several attractors after a chaotic transient: roundoff decides which.
+    pub chaotic_transients: Vec<usize>,
 }
 
 impl Attractor {
@@ -150,6 +152,7 @@ pub(super) fn counted(
         expected_power_low_w,
         expected_power_high_w,
         lost: failures,
+        chaotic_transients: Vec::new(),
     }
 }
 

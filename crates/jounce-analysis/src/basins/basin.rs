@@ -50,6 +50,9 @@ impl Basins<'_> {
             })
         };
         let mut result = counted(&ends, mirrored);
+        if result.attractors.len() > 1 {
+            result.chaotic_transients = self.chaotic_transients(&kernel, &ends);
+        }
         let limits = Limits::of(&self.base.spec, &kernel.plant);
         for attractor in result
             .attractors
@@ -103,6 +106,24 @@ impl Basins<'_> {
             first = next;
         }
         ends
+    }
+
+    /// Returns the starts that reach an orbit after a chaotic transient.
+    fn chaotic_transients(&self, kernel: &Kernel, ends: &[(usize, SteadyState)]) -> Vec<usize> {
+        let (control, tolerance) = (&self.base.kernel.control, self.recognition.tolerance);
+        let Some(cycle_s) = kernel.plant.period_s() else {
+            return Vec::new();
+        };
+        let is_chaotic = |end: &SteadyState| match end {
+            SteadyState::Periodic(reached) => {
+                !control.is_stopped() && reached.has_chaotic_transient(kernel, cycle_s, tolerance)
+            }
+            SteadyState::Aperiodic(_) | SteadyState::Failed(_) => false,
+        };
+        ends.par_iter()
+            .filter(|(_, end)| is_chaotic(end))
+            .map(|(index, _)| *index)
+            .collect()
     }
 
     /// Returns the limits that an attractor exceeds: over its period, or, if aperiodic, over

@@ -82,8 +82,8 @@ impl DiagramPoint {
         .settle(start, &[]);
         visit.motion = steady_state.kind();
         match steady_state {
-            SteadyState::Periodic(steady_state) => {
-                visit.set_orbit((base, parameter), &steady_state.orbit, tolerance)?;
+            SteadyState::Periodic(reached) => {
+                visit.set_orbit((base, parameter), &reached.attracting.orbit, tolerance)?;
             }
             SteadyState::Aperiodic(steady_state) => {
                 let states = kernel.plant.period_s().map(|cycle_s| {

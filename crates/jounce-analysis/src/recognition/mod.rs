@@ -11,6 +11,7 @@
 mod adapted_norm;
 mod attracting_orbit;
 mod attractor_kind;
+mod chaotic_transient;
 mod lyapunov;
 mod orbit_search;
 mod recognizer;
@@ -22,7 +23,8 @@ mod weighted_average;
 
 pub use attracting_orbit::AttractingOrbit;
 pub use attractor_kind::AttractorKind;
+pub use chaotic_transient::MIN_CYCLES as MIN_TRANSIENT_CYCLES;
 pub use lyapunov::{Lyapunov, largest_exponent};
 pub use recognizer::{Recognition, Recognizer};
 pub use settled_orbit::{settled_orbit, settled_orbits};
-pub use steady_state::{Aperiodic, SteadyState};
+pub use steady_state::{Aperiodic, ReachedOrbit, SteadyState};

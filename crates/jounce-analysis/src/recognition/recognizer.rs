@@ -4,7 +4,7 @@ use super::attracting_orbit::AttractingOrbit;
 use super::attractor_kind::AttractorKind;
 use super::lyapunov::{Lyapunov, TangentMotion, largest_exponent};
 use super::orbit_search::{OrbitSearch, SearchOutcome};
-use super::steady_state::{Aperiodic, SteadyState};
+use super::steady_state::{Aperiodic, ReachedOrbit, SteadyState};
 use super::transient::Transient;
 use jounce_dynamics::{Kernel, SensitivityError};
 use jounce_orbits::{OrbitError, ParametricModel, Shooting, cycle_s};
@@ -124,15 +124,22 @@ impl<H: ParametricModel> Recognizer<'_, H> {
         };
         let mut orbits = known.to_vec();
         let (mut entry, mut next_search): (Option<BallEntry>, u32) = (None, FIRST_SEARCH_CYCLES);
+        let mut searched: [Option<Vec<f64>>; 2] = [None, None];
         while motion.cycles < max_cycles {
             motion.advance()?;
-            if let Some(orbit) = arrived(&motion, &orbits, &mut entry) {
-                return Ok(SteadyState::Periodic(orbit));
+            if let Some(attracting) = arrived(&motion, &orbits, &mut entry) {
+                let ([earlier, _], cycles) = (searched, motion.cycles);
+                return Ok(SteadyState::Periodic(ReachedOrbit {
+                    attracting,
+                    cycles,
+                    earlier,
+                }));
             }
             if motion.cycles < next_search {
                 continue;
             }
             next_search = (SEARCH_GROWTH * f64::from(motion.cycles)).ceil() as u32;
+            searched = [searched[1].take(), Some(motion.block_state())];
             match search.near(&mut motion, &orbits) {
                 Some(SearchOutcome::Attracting(orbit)) => orbits.push(orbit),
                 Some(SearchOutcome::Weak) if motion.tolerance > MIN_TOLERANCE => {

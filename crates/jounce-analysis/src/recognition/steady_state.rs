@@ -9,11 +9,23 @@ use std::sync::Arc;
 #[derive(Debug, Clone, PartialEq)]
 pub enum SteadyState {
     /// Periodic orbit, proved by contraction.
-    Periodic(Arc<AttractingOrbit>),
+    Periodic(ReachedOrbit),
     /// Aperiodic motion: no orbit was found.
     Aperiodic(Aperiodic),
     /// The integration failed, with its reason.
     Failed(String),
+}
+
+/// Orbit with the motion that has reached it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReachedOrbit {
+    /// The orbit.
+    pub attracting: Arc<AttractingOrbit>,
+    /// Drive cycles integrated until it was reached.
+    pub cycles: u32,
+    /// State of the motion in block coordinates at the search before the last, at the start of a
+    /// drive cycle; `None` before two searches.
+    pub earlier: Option<Vec<f64>>,
 }
 
 /// Aperiodic motion.
@@ -44,7 +56,7 @@ impl SteadyState {
     /// Returns the orbit of a periodic steady state.
     pub fn orbit(&self) -> Option<&Arc<AttractingOrbit>> {
         match self {
-            Self::Periodic(orbit) => Some(orbit),
+            Self::Periodic(reached) => Some(&reached.attracting),
             Self::Aperiodic(_) | Self::Failed(_) => None,
         }
     }

@@ -12,5 +12,6 @@ mod harvesters;
 mod library;
 mod random_specs;
 mod stored;
+mod transients;
 
 use jounce_allocator as _;

@@ -13,7 +13,7 @@ use crate::harvester::Harvester;
 use crate::options::on_threads;
 use crate::periodic;
 use jounce_analysis::run::WorstExcess;
-use jounce_analysis::{AttractorKind, Basins, InitialStates, SectionPoint};
+use jounce_analysis::{AttractorKind, Basins, InitialStates, MIN_TRANSIENT_CYCLES, SectionPoint};
 use jounce_model::plant::Plant;
 
 impl Harvester {
@@ -101,6 +101,7 @@ impl BasinsResult {
             starts: points.len(),
             finished: found.lost.len() + attractor.iter().flatten().count(),
             failed: found.lost.iter().map(failed).collect(),
+            chaotic_transients: found.chaotic_transients.len(),
             seed,
             gap_m: None,
             points: points.into_iter().zip(attractor).map(point).collect(),
@@ -111,8 +112,8 @@ impl BasinsResult {
         }
     }
 
-    /// Returns the messages about undecided starts, and about exceeded limits of patches on
-    /// attractors.
+    /// Returns the messages about undecided starts, about starts with chaotic transients, and about
+    /// exceeded limits of patches on attractors.
     pub fn warnings(&self) -> Vec<String> {
         let is_undecided = |own: &&AttractorResult| own.id == AttractorKind::Undecided.name();
         let undecided = self.attractors.iter().position(|own| is_undecided(&own));
@@ -127,6 +128,12 @@ impl BasinsResult {
         let exceeded: Vec<_> = found.iter().map(|own| own.warnings.as_slice()).collect();
         let place = |number: usize| format!("attractor {}", found[number].id);
         let mut messages = WorstExcess::messages(&exceeded, "attractors", place);
+        if self.chaotic_transients > 0 {
+            messages.insert(0, format!(
+                "{} of {} starts reach their orbit after a chaotic transient of {MIN_TRANSIENT_CYCLES} drive cycles or more: roundoff decides which orbit each of them reaches; their shares are not affected",
+                self.chaotic_transients, self.finished
+            ));
+        }
         if undecided > 0 {
             messages.insert(0, format!(
                 "{undecided} of {} starts are undecided, so that the expected power contains transients; give a larger `max_cycles`",

@@ -24,6 +24,9 @@ pub struct BasinsResult {
     pub finished: usize,
     /// Starts whose run failed.
     pub failed: Vec<FailedStart>,
+    /// Number of starts that reach an orbit after a transient of at least 512 drive cycles that is
+    /// chaotic: roundoff decides which orbit each of them reaches. Their shares are not affected.
+    pub chaotic_transients: usize,
     /// Seed of the cloud.
     pub seed: u64,
     /// Displacement towards the first stop at which contact begins, its gap, m; `None` without a

@@ -2,5 +2,5 @@
 //! events.
 
 mod closed_forms;
-mod published;
+pub mod published;
 mod steps;

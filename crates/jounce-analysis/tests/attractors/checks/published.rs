@@ -29,7 +29,7 @@ const PATIENCE: Patience = Patience {
 };
 
 /// 40 N at 13.5 Hz on 100 kohm, stiffness 10,000 N/m^1.5, damping ratio of the table 0.3.
-fn harvester(mut file: SpecFile) -> SpecFile {
+pub fn harvester(mut file: SpecFile) -> SpecFile {
     for (key, value) in [
         ("drive.shaker.amplitude", "\"40 N\""),
         ("drive.shaker.frequency", "\"13.5 Hz\""),
@@ -46,7 +46,7 @@ fn harvester(mut file: SpecFile) -> SpecFile {
 }
 
 /// `bench/plant.toml`.
-fn bench() -> SpecFile {
+pub fn bench() -> SpecFile {
     SpecFile::from_text(include_str!("../../../../../bench/plant.toml"))
 }
 
