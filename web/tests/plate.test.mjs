@@ -76,6 +76,15 @@ test("the modes are contours with nodal lines, and follow the design", async () 
     await ready(page);
 });
 
+test("a warning has its numbers with a prefix, and no power of ten", async () => {
+    const set = (key, value) => `set=${encodeURIComponent(`${key}=${value}`)}`;
+    await page.evaluate((hash) => (location.hash = hash), `${set("reduction.modes", "8")}&${set("stop.corner.stiffness", "1e7 N/m^1.5")}`);
+    await page.waitForFunction(() => /retain more modes/.test(document.getElementById("operating-warnings").textContent));
+    assert.match(await page.locator("#operating-warnings").textContent(), /a contact lasts [\d.]+ µs on average and excites modes up to about [\d.]+ kHz, but the highest retained mode has [\d.]+ kHz;/);
+    await page.locator("#reset").click();
+    await ready(page);
+});
+
 test("a narrow page shows the plan and nothing leaves it", async () => {
     await page.setViewportSize({ width: 390, height: 800 });
     // The server draws a narrower sheet.
@@ -84,6 +93,36 @@ test("a narrow page shows the plan and nothing leaves it", async () => {
     const [plan, wide] = await page.evaluate(() => [document.querySelector("#side .plan").getBoundingClientRect().toJSON(), document.documentElement.scrollWidth]);
     assert.ok(plan.width > 200 && plan.x >= 0 && plan.x + plan.width <= 390 && wide <= 390, `${JSON.stringify(plan)} ${wide}`);
     await page.setViewportSize({ width: 1280, height: 800 });
+});
+
+/** Size of the smallest letters of the drawings and of the plates in motion, px, and the largest part of a drawing outside its panel. */
+const readable = (own) => own.evaluate(() => {
+    const shown = [...document.querySelectorAll("#drawing text, #plate-motion text")].filter((text) => text.checkVisibility());
+    const panel = document.getElementById("drawing").getBoundingClientRect();
+    const views = [...document.querySelectorAll("#drawing > div > svg")].map((view) => view.getBoundingClientRect());
+    return {
+        letters: Math.min(...shown.map((text) => parseFloat(getComputedStyle(text).fontSize) * Math.hypot(text.getScreenCTM().a, text.getScreenCTM().b))),
+        outside: Math.max(...views.flatMap(({ left, right, top, bottom }) => [panel.left - left, right - panel.right, panel.top - top, bottom - panel.bottom])),
+        count: shown.length,
+    };
+});
+
+test("letters have at least 10 px, and no drawing is cut, at all widths of the window", async () => {
+    for (const kind of ["plate", "two-beams"]) {
+        const other = kind === "plate" ? undefined : await serve({ kind });
+        const own = other ? await open(browser.context, other.address) : page;
+        for (const width of [1920, 1280, 1101, 1000, 701, 700, 500, 390, 320]) {
+            await own.setViewportSize({ width, height: 800 });
+            // A sheet for the new room replaces the old one after a rest.
+            await own.waitForTimeout(1500);
+            await ready(own);
+            const { letters, outside, count } = await readable(own);
+            assert.ok(letters >= 9.99 && outside <= 1 && count > 8, `${kind}, ${width}: ${letters} px, ${outside} outside, ${count} labels`);
+        }
+        await own.setViewportSize({ width: 1280, height: 800 });
+        if (other) await own.close();
+        await other?.close();
+    }
 });
 
 test("a beam has its motion on the canvas and its mode shapes as curves", async () => {

@@ -21,7 +21,7 @@ use cancellation::Cancellation;
 use fault::RequestFault;
 use frame::Frame;
 use jounce::Control;
-use jounce::live::{Design, LiveAnalysis};
+use jounce::live::{Design, LiveAnalysis, ViewRoom};
 use latest_requests::LatestRequests;
 use request::{Request, RequestKind};
 use serde_json::json;
@@ -218,8 +218,12 @@ impl Session {
         let design = &self.design(request)?;
         let id = request.id;
         match &request.kind {
-            RequestKind::Design { width } => {
-                self.send(cancellation, design::describe(id, design, *width, source));
+            RequestKind::Design { width, height } => {
+                let room = width.map(|width_px| ViewRoom {
+                    width_px,
+                    height_px: height.unwrap_or(f64::INFINITY),
+                });
+                self.send(cancellation, design::describe(id, design, room, source));
                 Ok(())
             }
             RequestKind::Modes => {
