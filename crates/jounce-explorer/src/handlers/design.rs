@@ -8,8 +8,18 @@ use crate::source::Source;
 use jounce::live::{Design, ViewRoom};
 use serde_json::json;
 
-/// Returns the drawing, in a room if one is given, and the controls.
-pub fn describe(id: u64, design: &Design, room: Option<ViewRoom>, source: &Source) -> Frame {
+/// Returns the drawing, in a room of a width and height in pixels if they are given, and the
+/// controls.
+pub fn describe(
+    id: u64,
+    design: &Design,
+    (width, height): (Option<f64>, Option<f64>),
+    source: &Source,
+) -> Frame {
+    let room = width.map(|width_px| ViewRoom {
+        width_px,
+        height_px: height.unwrap_or(f64::INFINITY),
+    });
     let title = source.name().file_stem().unwrap_or_default();
     let mut frame = Frame::new(id, "design", "done");
     frame

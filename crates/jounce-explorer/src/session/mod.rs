@@ -21,7 +21,7 @@ use cancellation::Cancellation;
 use fault::RequestFault;
 use frame::Frame;
 use jounce::Control;
-use jounce::live::{Design, LiveAnalysis, ViewRoom};
+use jounce::live::{Design, LiveAnalysis};
 use latest_requests::LatestRequests;
 use request::{Request, RequestKind};
 use serde_json::json;
@@ -219,10 +219,7 @@ impl Session {
         let id = request.id;
         match &request.kind {
             RequestKind::Design { width, height } => {
-                let room = width.map(|width_px| ViewRoom {
-                    width_px,
-                    height_px: height.unwrap_or(f64::INFINITY),
-                });
+                let room = (*width, *height);
                 self.send(cancellation, design::describe(id, design, room, source));
                 Ok(())
             }
