@@ -83,11 +83,11 @@ export class Controls {
         return words[0].toUpperCase() + words.slice(1);
     }
 
-    /** Formats a value in SI as in the spec. */
-    words(key: string, si: number): string {
+    /** Formats a value in SI as in the spec, with at most `count` digits. */
+    words(key: string, si: number, count = 6): string {
         const control = this.find(key);
         if (!control) return String(si);
-        const number = digits(si / control.factor, 6);
+        const number = digits(si / control.factor, count);
         return control.count ? String(Math.round(si)) : control.unit ? `${number} ${control.unit}` : number;
     }
 

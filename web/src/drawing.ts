@@ -22,12 +22,20 @@ const SVG = "http://www.w3.org/2000/svg";
 const EDGE = 8;
 /** Width and height of the area of a handle, drawing units. */
 const CATCH = { start: [14, 44], end: [14, 44], place: [20, 26], gap: [60, 40] };
+/** Smallest scale of a part of the sheet: its letters of 12 px have 10 px. */
+const MIN_SCALE = 10 / 12;
+/** Time without a change of the room after which the sheet is drawn again. */
+const REST_MS = 150;
 /** Size for a gap in the side view, where the handle of the stop's position is near. */
 const CATCH_BESIDE = [40, 12];
 
 export class Drawing {
     svg = "";
+    /** Called when the room for the drawing has changed. */
+    onRoom: () => void = () => {};
     private held: Held | undefined;
+    private requestedRoom = "";
+    private rest: number | undefined;
     private handles = new Map<string, Handle>();
 
     constructor(private readonly side: HTMLElement, private readonly close: HTMLElement, private readonly controls: Controls, private readonly design: Design) {
@@ -36,6 +44,28 @@ export class Drawing {
             this.drag(event, false);
             this.held = undefined;
         });
+        new ResizeObserver(() => {
+            clearTimeout(this.rest);
+            this.rest = setTimeout(() => this.checkRoom(), REST_MS);
+        }).observe(side);
+    }
+
+    /** Room for each view, px, to request a sheet for it. On a page in one column the height is free. */
+    requestRoom(): object {
+        const room = this.room;
+        this.requestedRoom = JSON.stringify(room);
+        return room;
+    }
+
+    private get room(): { width: number; height?: number } {
+        const { clientWidth, childElementCount } = this.side;
+        const height = parseFloat(getComputedStyle(this.side).minHeight);
+        return height > 0 ? { width: Math.floor(clientWidth / Math.max(childElementCount, 1)), height } : { width: clientWidth };
+    }
+
+    /** Circuits, close-ups and plan views, which come with the sheet, also change the room. */
+    private checkRoom(): void {
+        if (this.requestedRoom !== "" && JSON.stringify(this.room) !== this.requestedRoom) this.onRoom();
     }
 
     take(drawn: Drawn): void {
@@ -62,6 +92,7 @@ export class Drawing {
         this.close.replaceChildren(...sheets.slice(1, 1 + drawn.cells.length).map(({ view }) => view));
         this.close.hidden = drawn.cells.length === 0;
         if (focused instanceof SVGElement && focused.isConnected) focused.focus();
+        this.checkRoom();
     }
 
     /** Creates the handle of a grip, if its key has a control. */
@@ -106,6 +137,7 @@ function sheet(whole: Element, [left, top, wide, high]: Box): { view: SVGSVGElem
     const page = document.importNode(whole, true) as unknown as SVGSVGElement;
     const [x, y, width, height] = [left - EDGE, top - EDGE, wide + 2 * EDGE, high + 2 * EDGE];
     view.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    [view.style.minWidth, view.style.minHeight] = [width, height].map((size) => `${MIN_SCALE * size}px`);
     view.setAttribute("role", "group");
     for (const [name, value] of Object.entries({ x: 0, y: 0, width, height, viewBox: `${x} ${y} ${width} ${height}`, overflow: "hidden" })) {
         page.setAttribute(name, String(value));

@@ -2,7 +2,7 @@
 
 const PLACES = "button, input, select, summary, a[href], [tabindex='0'], [role=tab]";
 
-const canFocus = (element: HTMLElement) => element.isConnected && element.checkVisibility() && !element.matches(":disabled, [tabindex='-1']");
+const canFocus = (element: HTMLElement) => element.isConnected && element.checkVisibility({ visibilityProperty: true, checkVisibilityCSS: true }) && !element.matches(":disabled, [tabindex='-1']");
 
 /** Element with the focus, and the places around it when it got it: those before it, nearest first, then those after it. */
 let places: HTMLElement[] = [];

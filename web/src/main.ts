@@ -28,6 +28,7 @@ import { Requests } from "./requests";
 import { Response } from "./response";
 import { Save } from "./save";
 import { Search } from "./search";
+import { SelectedValue } from "./selected-value";
 import { Selection } from "./selection";
 import { Shake } from "./shake";
 import { shortcuts } from "./shortcuts";
@@ -92,6 +93,7 @@ const quantities = new Quantities(controls, (quantity) => {
 });
 const pins = new Pins(find("pins"), response, design, reply);
 const point = new OperatingPoint(wire, design, { words: find("operating-words"), warnings: find("operating-warnings"), safety: find("operating-safety"), stop: find<HTMLButtonElement>("operating-stop") });
+const selectedValue = new SelectedValue(response, controls, design);
 const selection = new Selection(wire, response, point);
 const band = new Band(wire, design, response, selection, search.problem.tolerance);
 
@@ -111,7 +113,9 @@ const requests = new Requests(wire, design, axes, response, {
         operatingOrbit.orbitTaken();
     },
     fault,
+    room: () => drawing.requestRoom(),
 });
+drawing.onRoom = () => requests.redraw();
 
 const operatingOrbit = new OperatingOrbit({ axes, basins, design, orbit, point, requests, response, selection, shown: shownOrbit, wire });
 
@@ -278,6 +282,8 @@ const act: Record<string, () => void> = {
     share: () => exporting("link"),
     export: () => exporting("export"),
     save: () => exporting("save"),
+    use: () => selectedValue.use(),
+    keys: () => find<HTMLDialogElement>("keys-dialog").showModal(),
 };
 const exporting = (purpose: typeof wanted) => {
     wanted = purpose;
@@ -292,10 +298,7 @@ const copy = (link: string) => {
 for (const [id, run] of Object.entries(act)) find(id).onclick = run;
 const theme = new Theme(find("theme"), () => {
     response.draw();
-    orbit.redraw();
-    load.redraw();
-    basins.redraw();
-    shake.redraw();
+    for (const view of [orbit, load, basins, shake]) view.redraw();
 });
 preparePrints(theme, () => [...Chart.all, orbit.motion], () => {
     find("printed-design").textContent = design.pairs.map(([key, value]) => `${key} = ${value}`).join("; ");

@@ -4,7 +4,7 @@ import type { Design } from "./design";
 import type { Frame, Head } from "./frame";
 import { safetyWords } from "./safety";
 import type { AttractorPlace } from "./shown-orbit";
-import { quantity, digits } from "./units";
+import { digits, printed, quantity } from "./units";
 import type { Wire } from "./wire";
 
 export interface Attractor {
@@ -202,7 +202,7 @@ export class OperatingPoint {
         if (words.textContent !== text) words.textContent = text;
         words.ariaBusy = String(this.computing);
         stop.hidden = !(this.computing && this.slow);
-        const found = this.warnings().join(". ");
+        const found = printed(this.warnings().join(". "));
         if (warnings.textContent !== found) warnings.textContent = found;
         warnings.hidden = found === "";
         const limits = this.head && this.attractor && !this.message ? safetyWords(this.head) : "";

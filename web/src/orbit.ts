@@ -8,7 +8,7 @@ import { Plates } from "./plates";
 import { orbitStability } from "./stability";
 import { drawStretch, stretchWords } from "./stretch";
 import { colour, nth } from "./theme";
-import { digits, quantity } from "./units";
+import { digits, printed, quantity } from "./units";
 
 const find = (id: string) => document.getElementById(id)!;
 
@@ -103,7 +103,7 @@ export class Orbit {
         const [time, stops] = [frame.array("time"), head.stops as { name: string; gap: number }[]];
         const seconds = { words: "Time", unit: "s", ends: [0, head.period_s] as [number, number] };
         this.title.textContent = `Orbit at ${this.at}: ${quantity(head.mean_power_w, "W")}, period ${head.period_cycles}, ${orbitStability(head)}`;
-        this.warnings.textContent = (head.warnings as string[]).join(". ");
+        this.warnings.textContent = printed((head.warnings as string[]).join(". "));
         this.free(stops.length === 0);
         if (stops.length > 0) this.contact(frame, stops);
         else this.end(frame);

@@ -14,6 +14,8 @@ interface Hears {
     response: () => void;
     orbit: (frame: Frame, of: OrbitSource) => void;
     fault: (source: string, faults: Fault[]) => void;
+    /** Room for the drawing. */
+    room: () => object;
 }
 
 /** Time without a response after which the page shows that it computes. */
@@ -21,8 +23,6 @@ const PATIENCE_MS = 333;
 /** Time after which a newer position cancels the computation of an older one. */
 const STALE_MS = 4000;
 const SWEEP_POINTS = 61;
-/** A page in one column, as in `app.css`. */
-const NARROW = matchMedia("(max-width: 700px)");
 /** Stages of a response, in their order. */
 const STAGES = ["first", "coarse", "fine"];
 
@@ -56,13 +56,18 @@ export class Requests {
         wire.on("orbit", (frame) => this.takeOrbit(frame));
         wire.on("sweep", ({ head }, request) => this.takeSwept(head, request));
         document.getElementById("response-stop")!.onclick = () => this.stop();
-        NARROW.onchange = () => this.change(performance.now());
         setInterval(() => this.patience(), 100);
     }
 
     /** Registers a change of the design at a time of `performance.now()`. */
     change(time: number): void {
         this.waiting = this.designWaits = time;
+        this.pump();
+    }
+
+    /** Requests the drawing for another room. */
+    redraw(): void {
+        this.designWaits = performance.now();
         this.pump();
     }
 
@@ -97,7 +102,7 @@ export class Requests {
         const set = this.design.pairs;
         if (this.designWaits !== undefined && !this.designAsked) {
             this.designWaits = undefined;
-            this.designAsked = this.wire.ask("design", { set, width: sheetWidth() }) !== 0;
+            this.designAsked = this.wire.ask("design", { set, ...this.hears.room() }) !== 0;
         }
         // A long computation is cancelled; a short one is completed, so that the curve follows a moving slider.
         const late = performance.now() - this.asked > STALE_MS;
@@ -274,9 +279,6 @@ export class Requests {
         }
     }
 }
-
-/** Width of the sheet of the drawing, px, where it must be narrow for its labels to be readable. */
-const sheetWidth = (): number | undefined => (NARROW.matches ? document.getElementById("side")!.clientWidth : undefined);
 
 function found(branches: number, ms: number): string {
     if (branches === 0) return "no branch of periodic orbits was found in this range; use Sweep to integrate over it";

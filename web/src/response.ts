@@ -5,6 +5,7 @@ import { type Bifurcation, type Branch, type ResponseResult, type Place, type Qu
 import { Chart } from "./chart";
 import type { Design } from "./design";
 import { type DraftError, draftError, errorWords } from "./draft-error";
+import { limitWords } from "./limit-ranges";
 import { LineHandle } from "./line";
 import { type MeasuredPoints, measuredCurves } from "./measured";
 import type { Curve, Mark, Rule } from "./paint";
@@ -84,6 +85,8 @@ export class Response {
     private readonly cursor = document.getElementById("response-cursor")!;
     private readonly incomplete = document.getElementById("incomplete")!;
     onChoose: (place: Place, parameter?: number) => void = () => {};
+    /** Called when the selected point may have changed, with its values in words. */
+    onPoint: (words: string) => void = () => {};
 
     /** Called when the line of the operating point is dragged. */
     onMove: (value: number, moving: boolean) => void = () => {};
@@ -270,7 +273,7 @@ export class Response {
             ...(this.swept.some((point) => point.over === result.over && this.design.isOld(point)) ? ["The swept points are of an earlier design."] : []),
             ...this.zeroWords(result),
             ...(this.isComputing(result) ? ["Computing the strain."] : []),
-            ...(this.quantity === "strain" && this.strainLimit !== undefined ? [`The strain limit is ${digits(this.strainLimit)} ppm.`] : []),
+            ...(this.quantity === "strain" && this.strainLimit !== undefined ? [limitWords(result, this.range, this.strainLimit)] : []),
             ...(this.start ? ["Pale: the start of the design search."] : []),
             ...(this.band ? ["Shaded: 5 % to 95 % of the designs drawn from the tolerances."] : []),
             ...(hidden > 0 ? [`${hidden} ${hidden === 1 ? "branch" : "branches"} of a period above ${SHORT_PERIOD} not shown.`] : []),
@@ -291,6 +294,13 @@ export class Response {
         const words = found ? `${found.kind}, ${quantity(found.x, this.result!.unit, 5)}, ${quantity(found.power, "W")}` : this.pointWords(this.chosen);
         const value = { now: x ?? this.range[0], min: this.range[0], max: this.range[1], text: words || "no point selected" };
         for (const [name, own] of Object.entries(value)) this.chart.host.setAttribute(`aria-value${name}`, String(own));
+        this.onPoint(words);
+    }
+
+    /** Value of the key at the point that the user has selected; undefined at the operating point. */
+    get selectedValue(): number | undefined {
+        const { chosen, result } = this;
+        return this.following || !chosen ? undefined : this.chosenParameter ?? result?.branches[chosen.branch]?.x[chosen.point];
     }
 
     /** Value of the key of the selected orbit, where it is next to the point. */
@@ -331,7 +341,7 @@ export class Response {
         if (!branch) return "";
         const { point } = place;
         const { words, unit } = described(this.quantity, this.result!);
-        const more = this.quantity === "power" ? [] : [`${words} ${quantity(branch.values[this.quantity][point], unit)}`];
+        const more = this.quantity === "power" ? [] : [`${words[0].toLowerCase()}${words.slice(1)} ${quantity(branch.values[this.quantity][point], unit)}`];
         const values = [quantity(branch.x[point], this.result!.unit, 5), quantity(branch.values.power[point], "W"), ...more];
         return [...values, `period ${branch.period}`, isStable(branch, point) ? "stable" : "unstable", `${digits(branch.contacts[point])} ${branch.contacts[point] === 1 ? "contact" : "contacts"}`].join(", ");
     }

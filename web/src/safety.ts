@@ -15,7 +15,6 @@ const percent = (value: number, count = 2) => digits(100 * value, count);
 const shareWords = ({ fraction, low, high }: Share) => `${percent(fraction, 3)} % of the starts, 95 %: ${percent(low)} to ${percent(high)}`;
 const valueWords = (name: string, value: number) => (name === "strain" ? `${digits(1e6 * Math.abs(value), 3)} ppm` : quantity(value, "V", 3));
 
-
 /** Each limit with its value nearest to it on any of the attractors. */
 function worst(peaks: Peaks[]): Limit[] {
     const found = new Map<string, Limit>();
@@ -54,7 +53,7 @@ function peakWords(head: Head, peaks: Peaks[]): string[] {
         ...limits.map((own) => own.quantity === "strain"
             ? `the strain${of(own)} stays below ${valueWords("strain", own.limits[1])} (at most ${valueWords("strain", own.reached)})`
             : `the voltage${of(own)} stays within ${own.limits.map((end) => quantity(end, "V", 3)).join(" to ")} (nearest ${valueWords("voltage", own.reached)})`),
-        ...(Number.isFinite(strain) && !limits.some((own) => own.quantity === "strain") ? [`the strain is at most ${valueWords("strain", strain)} (no limit given)`] : []),
+        ...(Number.isFinite(strain) && !limits.some((own) => own.quantity === "strain") ? [`the strain is at most ${valueWords("strain", strain)} (no limit given; set the strain limit of a patch)`] : []),
         ...(head.stops === 0 ? [] : impact > 0 ? [`${stop} struck at most at ${quantity(impact, "m/s", 3)}`] : [`${head.stops === 1 ? "the stop is not" : "no stop is"} struck`]),
     ];
 }

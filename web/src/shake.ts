@@ -5,7 +5,7 @@ import type { Controls } from "./controls";
 import type { Design } from "./design";
 import type { Frame } from "./frame";
 import { colour } from "./theme";
-import { digits, quantity, sign } from "./units";
+import { digits, printed, quantity, sign } from "./units";
 import { Stale } from "./stale";
 import type { Request, Wire } from "./wire";
 
@@ -155,7 +155,7 @@ export class Shake {
         const name = head.channel ? `${by} (${head.channel})` : by;
         const noticed = head.issues?.length > 0 ? `. Issues: ${head.issues.join("; ")}` : "";
         const words = `${name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}${contacts}${noticed}`;
-        this.say([words, ...head.warnings].join(". "));
+        this.say(printed([words, ...head.warnings].join(". ")));
         this.last = frame;
         this.stale.shows(request);
         if (request.body.by === "spec") this.onSpec(words, head.warnings, request);

@@ -1,6 +1,6 @@
-// Keys of the page: undo, redo, pin, link, export, theme.
+// Keys of the page: undo, redo, pin, link, save, export, theme, value of the selected point, list of the keys.
 
-const SINGLE: Record<string, string> = { p: "pin", l: "share", e: "export", s: "save", t: "theme" };
+const SINGLE: Record<string, string> = { p: "pin", l: "share", e: "export", s: "save", t: "theme", u: "use", "?": "keys" };
 
 /** Runs the named actions on their keys, except while a text is typed. */
 export function shortcuts(act: Record<string, () => void>): void {

@@ -5,7 +5,7 @@
 // 2. 1, 2 and 5 of each decade; with three powers of ten or more, these must have twice the room.
 // 3. Powers of ten; then every second, third, ... of them.
 // Where no set has two values with room: the first and the last line of the axis.
-// Pictures of the program have the same rule in crates/jounce-plot/src/axis/log_labels.rs; both are tested with tests/axes.json.
+// Pictures of the program have the same rule in crates/jounce-plot/src/axis/log_labels.rs; both are tested with crates/jounce-plot/src/axis/cases.json.
 
 /** Span below which a logarithmic axis has equal steps, decades. */
 const NARROW = 0.7;
@@ -22,22 +22,25 @@ interface LabelSet {
     rooms: number;
 }
 
+/** True for an axis whose labels are multiples of a step, as those of a linear axis. */
+export const isNarrow = (low: number, high: number): boolean => Math.log10(high / low) < NARROW;
+
 /** Labelled values of an axis whose labels need the distance `nearest`, a share of the axis. */
 export function logLabels(low: number, high: number, nearest: number): number[] {
     const decades = Math.log10(high / low);
     const fits = ({ values, rooms }: LabelSet) => values.length > 1 && values.every((value, k) => k === 0 || Math.log10(value / values[k - 1]) >= rooms * nearest * decades);
-    return sets(low, high, decades).find(fits)?.values ?? ends(lines(low, high));
+    return sets(low, high).find(fits)?.values ?? ends(lines(low, high));
 }
 
 /** Lines of the grid. */
 export function lines(low: number, high: number): number[] {
     const decades = Math.log10(high / low);
-    if (decades < NARROW) return multiples(low, high, finest(low, high));
+    if (isNarrow(low, high)) return multiples(low, high, finest(low, high));
     return ofDecades(low, high, decades > WIDE ? [1] : [1, 2, 3, 4, 5, 6, 7, 8, 9]);
 }
 
-function sets(low: number, high: number, decades: number): LabelSet[] {
-    if (decades < NARROW) {
+function sets(low: number, high: number): LabelSet[] {
+    if (isNarrow(low, high)) {
         const steps: number[] = [];
         for (let step = finest(low, high); step < high; step = stepOfAtLeast(1.5 * step)) steps.push(step);
         return steps.map((step) => ({ values: multiples(low, high, step), rooms: 1 }));

@@ -1,5 +1,7 @@
 // Formatting of numbers.
 
+import { isNarrow } from "./ticks";
+
 const PREFIXES: [number, string][] = [
     [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"],
 ];
@@ -19,6 +21,11 @@ const RAISED: Record<string, string> = { "-": "⁻", ".": "·", "0": "⁰", "1":
 /** A text with its powers as they are set in print: "1000 N/m¹·⁵". */
 export function raised(text: string): string {
     return text.replace(/\^(-?[\d.]+)/g, (_, power: string) => [...power].map((own) => RAISED[own]).join(""));
+}
+
+/** A message of the program with its units as they are set in print: "3 us, 5 kohm" is "3 µs, 5 kΩ". */
+export function printed(message: string): string {
+    return message.replace(/(?<=\d )u(?=[A-Za-z])/g, "µ").replace(/(?<=\d [kMG]?)ohm\b/g, "Ω");
 }
 
 /** A unit as it is set in print: "MΩ", "µF", "N/m¹·⁵". */
@@ -67,8 +74,9 @@ export function axisUnit(low: number, high: number, unit: string): [number, stri
     return [step, name + sign(unit)];
 }
 
-/** Divisor and unit of a logarithmic axis: those of its largest value where that makes the labels plain, else none. */
+/** Divisor and unit of a logarithmic axis: with equal steps those of a linear one, else those of its largest value where that makes the labels plain, else none. */
 export function logAxisUnit(low: number, high: number, unit: string): [number, string] {
+    if (isNarrow(low, high)) return axisUnit(low, high, unit);
     const [step, name] = axisPrefix(high, unit);
     return isPlain(low / step, high / step) ? [step, name + sign(unit)] : [1, sign(unit)];
 }

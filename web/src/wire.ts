@@ -52,8 +52,9 @@ export class Wire {
         };
     }
 
-    /** Registers the handler of responses of one kind, including the faults of that kind. */
+    /** Registers the only handler of responses of one kind, including the faults of that kind. */
     on(ask: string, hear: Hear): void {
+        if (this.heard.has(ask)) throw new Error(`the replies to ${ask} have a handler`);
         this.heard.set(ask, hear);
     }
 

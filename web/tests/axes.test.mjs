@@ -9,13 +9,20 @@ const load = async (name) => {
     return import(`data:text/javascript,${encodeURIComponent(text)}`);
 };
 const { logLabels } = await load("ticks");
-const { axisUnit, logAxisUnit, scientific } = await load("units");
+const { axisUnit, logAxisUnit, printed, scientific } = await load("units");
 
-test("a logarithmic axis has the labels of the pictures of the program", async () => {
-    for (const { low, high, nearest, labels } of JSON.parse(await readFile(new URL("axes.json", import.meta.url)))) {
+/** Cases of the pictures of the program. */
+const cases = JSON.parse(await readFile(new URL("../../crates/jounce-plot/src/axis/cases.json", import.meta.url)));
+
+test("a logarithmic axis has the labels of the pictures of the program", () => {
+    for (const { low, high, nearest, labels } of cases.labels) {
         const found = logLabels(low, high, nearest);
         assert.ok(found.length === labels.length && found.every((value, k) => Math.abs(value / labels[k] - 1) < 1e-9), `${low} to ${high}, ${nearest}: ${found}`);
     }
+});
+
+test("a narrow logarithmic axis has the unit of the pictures of the program", () => {
+    for (const { low, high, unit, shown } of cases.units) assert.equal(logAxisUnit(low, high, unit)[1], shown, `${low} to ${high} ${unit}`);
 });
 
 test("every logarithmic axis has at least two labels, and all labels of a pattern", () => {
@@ -45,4 +52,8 @@ test("a logarithmic axis of many decades has powers of ten, without a prefix", (
     assert.deepEqual(logAxisUnit(1e-5, 1e-2, "W"), [1e-3, "mW"]);
     assert.deepEqual(logAxisUnit(1e-9, 1e-2, "W"), [1, "W"]);
     assert.deepEqual([1e-5, 2e-5, 1e6].map(scientific), ["10⁻⁵", "2×10⁻⁵", "10⁶"]);
+});
+
+test("a message has its units as they are set in print", () => {
+    assert.equal(printed("a contact lasts 629 us; 5 kohm, 20 ohm, 30 um under use"), "a contact lasts 629 µs; 5 kΩ, 20 Ω, 30 µm under use");
 });

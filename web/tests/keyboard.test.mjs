@@ -126,6 +126,40 @@ test("Home and End on the response select the ends of the branch", async () => {
     await enter(page.locator("#operating-show"));
 });
 
+test("the selected point gives its value to the key, by its button and by U", async () => {
+    const chart = page.locator("#chart-response");
+    await page.locator("#over").selectOption("stop.tip.gap");
+    await ready(page);
+    assert.ok(await page.locator("#selected").isHidden());
+    for (const way of ["key", "button"]) {
+        await chart.focus();
+        for (let k = 0; k < 8; k++) await page.keyboard.press(way === "key" ? "ArrowRight" : "ArrowLeft");
+        const use = page.locator("#use");
+        const value = (await use.textContent()).match(/^Use ([\d.]+) mm$/)[1];
+        const words = await page.locator("#selected-words").textContent();
+        assert.ok(/^Selected: [\d.]+ .?m, .*W, period 1, (un)?stable/.test(words), words);
+        if (way === "key") await page.keyboard.press("u");
+        else await enter(use);
+        await page.waitForFunction((due) => document.querySelector("[aria-label='stop.tip.gap, value']").value === due, value);
+        assert.notEqual(value, "1");
+        await page.locator("#selected").waitFor({ state: "hidden" });
+        await ready(page);
+    }
+    await page.locator("#reset").click();
+    await page.locator("#over").selectOption("drive.shaker.frequency");
+    await ready(page);
+});
+
+test("? lists the keys", async () => {
+    await page.locator("#chart-response").focus();
+    await page.keyboard.press("?");
+    const dialog = page.locator("#keys-dialog");
+    await dialog.waitFor({ state: "visible" });
+    assert.match(await dialog.textContent(), /U\s*set the key of the response to the value of the selected point/);
+    await page.keyboard.press("Escape");
+    await dialog.waitFor({ state: "hidden" });
+});
+
 test("a field whose number gets a slider keeps the focus", async () => {
     await page.locator("summary", { hasText: /^patch/ }).click();
     await field("patch.mfc.strain_limit").focus();

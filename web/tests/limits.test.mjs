@@ -19,7 +19,7 @@ test("with one attractor the sentence has the strain, the voltage and the impact
     await page.locator("#groups > details").evaluateAll((list) => list.forEach((group) => (group.open = true)));
     await page.locator("#groups details").evaluateAll((list) => list.forEach((group) => (group.open = true)));
     await until("operating-safety", /all 100 starts/);
-    assert.match(await text("operating-safety"), /the strain is at most [\d.]+ ppm \(no limit given\)/);
+    assert.match(await text("operating-safety"), /the strain is at most [\d.]+ ppm \(no limit given; set the strain limit of a patch\)/);
     await limit("600 ppm");
     await until("operating-safety", /^Settled motion after all 100 starts: the strain stays below 600 ppm/);
     const words = await text("operating-safety");

@@ -65,6 +65,20 @@ test("tabs that cannot work are disabled with the reason, and Design maximises t
     await noisy.waitForFunction(() => document.getElementById("search-goal").value === "mean-power");
 });
 
+test("no panel of an orbit is shown", async () => {
+    for (const width of [1280, 900, 390]) {
+        await noisy.setViewportSize({ width, height: 800 });
+        assert.ok(await noisy.locator("#orbit").isHidden(), `${width}`);
+        // The page ends below its last panel, and no column is empty.
+        const [panels, main] = await noisy.evaluate(() => [
+            [...document.querySelectorAll("main > section")].map((own) => own.getBoundingClientRect()).filter(({ width }) => width > 0).map(({ right, bottom }) => [right, bottom]),
+            document.querySelector("main").getBoundingClientRect().toJSON(),
+        ]);
+        assert.ok(Math.max(...panels.map(([right]) => right)) > main.right - 12 && Math.max(...panels.map(([, bottom]) => bottom)) > main.bottom - 12, `${width}: ${JSON.stringify([panels, main])}`);
+    }
+    await noisy.setViewportSize({ width: 1280, height: 800 });
+});
+
 test("a limit of a design has its origin", async () => {
     const limits = noisy.locator("#search-limits");
     await limits.locator("select").selectOption("patch.mfc.strain");

@@ -86,6 +86,36 @@ test("a narrow page shows the plan and nothing leaves it", async () => {
     await page.setViewportSize({ width: 1280, height: 800 });
 });
 
+/** Size of the smallest letters of the drawings and of the plates in motion, px, and the largest part of a drawing outside its panel. */
+const readable = (own) => own.evaluate(() => {
+    const shown = [...document.querySelectorAll("#drawing text, #plate-motion text")].filter((text) => text.checkVisibility());
+    const panel = document.getElementById("drawing").getBoundingClientRect();
+    const views = [...document.querySelectorAll("#drawing > div > svg")].map((view) => view.getBoundingClientRect());
+    return {
+        letters: Math.min(...shown.map((text) => parseFloat(getComputedStyle(text).fontSize) * Math.hypot(text.getScreenCTM().a, text.getScreenCTM().b))),
+        outside: Math.max(...views.flatMap(({ left, right, top, bottom }) => [panel.left - left, right - panel.right, panel.top - top, bottom - panel.bottom])),
+        count: shown.length,
+    };
+});
+
+test("letters have at least 10 px, and no drawing is cut, at all widths of the window", async () => {
+    for (const kind of ["plate", "two-beams"]) {
+        const other = kind === "plate" ? undefined : await serve({ kind });
+        const own = other ? await open(browser.context, other.address) : page;
+        for (const width of [1920, 1280, 1101, 1000, 701, 700, 500, 390, 320]) {
+            await own.setViewportSize({ width, height: 800 });
+            // A sheet for the new room replaces the old one after a rest.
+            await own.waitForTimeout(1500);
+            await ready(own);
+            const { letters, outside, count } = await readable(own);
+            assert.ok(letters >= 9.99 && outside <= 1 && count > 8, `${kind}, ${width}: ${letters} px, ${outside} outside, ${count} labels`);
+        }
+        await own.setViewportSize({ width: 1280, height: 800 });
+        if (other) await own.close();
+        await other?.close();
+    }
+});
+
 test("a beam has its motion on the canvas and its mode shapes as curves", async () => {
     const other = await serve();
     const beam = await open(browser.context, other.address);

@@ -34,9 +34,9 @@ test("contact force, impact speed and strain are those of `jounce run`", async (
     const { hertz } = await selected(page);
     const due = await running(server.spec, hertz, "drive.shaker.frequency");
     for (const [quantity, unit, words, value] of [
-        ["force", "N", "Contact force, peak", due.max_contact_force_n],
-        ["impact", "m/s", "Impact speed, largest", due.stops[0].max_impact_velocity_m_s],
-        ["strain", "ppm", "Strain, peak", 1e6 * due.patches[0].strain_peak],
+        ["force", "N", "contact force, peak", due.max_contact_force_n],
+        ["impact", "m/s", "impact speed, largest", due.stops[0].max_impact_velocity_m_s],
+        ["strain", "ppm", "strain, peak", 1e6 * due.patches[0].strain_peak],
     ]) {
         await show.selectOption(quantity);
         await page.waitForFunction((start) => document.getElementById("chart-response").ariaValueText.includes(`, ${start} `) && !/–/.test(document.getElementById("chart-response").ariaValueText), words);
@@ -48,7 +48,7 @@ test("contact force, impact speed and strain are those of `jounce run`", async (
     // The strain of the next design is requested anew.
     await type("stop.tip.gap", "1.2");
     await ready(page);
-    await page.waitForFunction(() => /Strain, peak [\d.]+ ppm/.test(document.getElementById("chart-response").ariaValueText));
+    await page.waitForFunction(() => /strain, peak [\d.]+ ppm/.test(document.getElementById("chart-response").ariaValueText));
     await page.locator("#reset").click();
     await show.selectOption("power");
     await ready(page);
@@ -58,7 +58,17 @@ test("the strain limit is on the chart of the strain", async () => {
     const spec = await readFile(server.spec, "utf8");
     await page.locator("#quantity").selectOption("strain");
     await writeFile(server.spec, spec.replace("[patch.mfc] ", "[patch.mfc]\nstrain_limit = 300e-6\n#"));
-    await until("readout", /The strain limit is 300 ppm\./);
+    await until("readout", /The strain limit is 300 ppm; all stable orbits found keep it from [\d.]+ Hz to 14\.82 Hz\./);
+    // Runs inside the ranges keep the limit; at an end that is none of a branch, the strain is just below the limit.
+    await writeFile(server.spec, spec.replace("[patch.mfc] ", "[patch.mfc]\nstrain_limit = 2000e-6\n#"));
+    await until("readout", /The strain limit is 2000 ppm; all stable orbits found keep it from/);
+    const sentence = (await page.locator("#readout").textContent()).match(/keep it .*/)[0];
+    const ranges = [...sentence.matchAll(/from ([\d.]+) Hz to ([\d.]+) Hz/g)].map(([, from, to]) => [Number(from), Number(to)]);
+    assert.ok(ranges.length === 3 && ranges[0][0] === 11.44 && ranges[2][1] === 14.82, sentence);
+    const strain = async (hertz) => (await running(server.spec, hertz, "drive.shaker.frequency")).patches[0].strain_peak;
+    for (const [from, to] of ranges) assert.ok((await strain((from + to) / 2)) < 2e-3, `${from} to ${to}`);
+    const last = await strain(ranges[0][1]);
+    assert.ok(last < 2e-3 && last > 1.9e-3, `${sentence} ${last}`);
     await writeFile(server.spec, spec);
     await page.waitForFunction(() => !/strain limit/.test(document.getElementById("readout").textContent));
     await page.locator("#quantity").selectOption("power");
@@ -73,7 +83,7 @@ test("with a rectified circuit the voltage is that of its storage", async () => 
     const { words, hertz } = await selected(own);
     const key = (await readFile(rectified.spec, "utf8")).match(/\[(drive\.[^\]]+)\]/)[1];
     const due = (await running(rectified.spec, hertz, `${key}.frequency`)).rectified[0].voltage_rms_v;
-    const shown = si(words.match(/Storage voltage, rms ([^,]+)/)[1], "V");
+    const shown = si(words.match(/storage voltage, rms ([^,]+)/)[1], "V");
     assert.ok(Math.abs(shown / due - 1) < 2e-3, `${words} ${due}`);
     // Without a stop there is no contact to show.
     assert.deepEqual(await offered(own), ["power", "voltage", "strain", "floquet"]);

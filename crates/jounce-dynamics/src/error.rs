@@ -1,12 +1,16 @@
 //! Errors that end an integration early.
 
+use jounce_units::Quantity;
+
 /// Error that ends an integration early.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum IntegrationError {
     /// The contact force did not converge on any step length.
     #[error(
-        "at t = {time_s} s the contact force of stop `{stop}` did not converge, even on a step of {step_s:e} s (penetration {penetration_m:e} m); check its stiffness and damping"
+        "at t = {time_s} s the contact force of stop `{stop}` did not converge, even on a step of {} (penetration {}); check its stiffness and damping",
+        Quantity::Time.write_rounded(*step_s, 3),
+        Quantity::Length.write_rounded(*penetration_m, 4)
     )]
     ContactDiverged {
         /// Time, s.

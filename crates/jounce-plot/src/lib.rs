@@ -34,7 +34,7 @@ pub use colour::Colour;
 pub use drawing::{
     Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnEdge, DrawnElement,
     DrawnPatch, DrawnPlace, DrawnPlan, DrawnPoint, DrawnRectangle, DrawnShape, Grip, GripPart,
-    GripSheet, Rect, Seat,
+    GripSheet, Rect, Seat, ViewRoom,
 };
 pub use error::PictureError;
 pub use figure::{

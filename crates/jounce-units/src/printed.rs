@@ -26,6 +26,17 @@ impl Quantity {
         };
         format!("{} {unit}", shifted(mantissa, exponent - power))
     }
+
+    /// Prints a value in SI as [`Quantity::write`], rounded to a number of significant digits.
+    ///
+    /// ```
+    /// use jounce_units::Quantity;
+    /// assert_eq!(Quantity::Frequency.write_rounded(7079.46, 4), "7.079 kHz");
+    /// ```
+    pub fn write_rounded(self, value: f64, digits: usize) -> String {
+        let rounded = format!("{value:.*e}", digits.saturating_sub(1));
+        self.write(rounded.parse().unwrap_or(value))
+    }
 }
 
 /// Returns a mantissa `d.ddd` with its decimal point moved right by `exponent` places; large shifts
@@ -79,6 +90,20 @@ mod tests {
             (Quantity::Force, 1e-30, "1e-27 mN"),
         ] {
             assert_eq!(quantity.write(value), text);
+        }
+    }
+
+    #[test]
+    fn rounded_values_have_the_digits_of_the_largest_power() {
+        for (quantity, value, digits, text) in [
+            (Quantity::Frequency, 7079.46, 4, "7.079 kHz"),
+            (Quantity::Frequency, 0.197_68, 4, "197.7 mHz"),
+            (Quantity::Time, 3.1236e-4, 3, "312 us"),
+            (Quantity::Length, 9.9996e-3, 4, "10 mm"),
+            (Quantity::Length, -0.0, 4, "-0 m"),
+            (Quantity::Power, f64::NAN, 4, "NaN W"),
+        ] {
+            assert_eq!(quantity.write_rounded(value, digits), text);
         }
     }
 

@@ -4,6 +4,7 @@ use super::StartState;
 use jounce_dynamics::IntegrationError;
 use jounce_model::contact::Law;
 use jounce_model::plant::Plant;
+use jounce_spec::Quantity;
 
 /// Relative displacement by which an initial state may lie inside a rigid stop: saved states are
 /// rounded.
@@ -34,7 +35,8 @@ pub enum RunError {
     },
     /// The run starts inside a rigid stop.
     #[error(
-        "stop.{stop}.gap: the run starts {depth_m:e} m inside this stop, and nothing enters a rigid one; give a larger gap, a run.start outside it, or a law that yields"
+        "stop.{stop}.gap: the run starts {} inside this stop, and nothing enters a rigid one; give a larger gap, a run.start outside it, or a law that yields",
+        Quantity::Length.write_rounded(*depth_m, 4)
     )]
     StartsInside {
         /// Name of the stop.

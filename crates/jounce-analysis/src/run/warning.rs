@@ -7,7 +7,7 @@ use super::{
 use jounce_data::recording::Issue;
 use jounce_dynamics::Kernel;
 use jounce_model::plant::Plant;
-use jounce_spec::Spec;
+use jounce_spec::{Quantity, Spec};
 use serde::{Deserialize, Serialize};
 
 /// Samples within the mean contact below which its force is not resolved.
@@ -61,8 +61,10 @@ pub enum Warning {
     },
     /// A contact passes the last point of its force table.
     #[error(
-        "{}: the penetration reaches {penetration_m:.3e} m, past the last point of its table at {last_m:.3e} m, where the slope of the end continues; measure the law to larger forces",
-        named("stop", stop)
+        "{}: the penetration reaches {}, past the last point of its table at {}, where the slope of the end continues; measure the law to larger forces",
+        named("stop", stop),
+        Quantity::Length.write_rounded(*penetration_m, 4),
+        Quantity::Length.write_rounded(*last_m, 4)
     )]
     PastTable {
         /// Name of the stop.
@@ -74,8 +76,11 @@ pub enum Warning {
     },
     /// The retained modes do not resolve a contact.
     #[error(
-        "{}: a contact lasts {duration_s:.2e} s on average and excites modes up to about {needed_hz:.3e} Hz, but the highest retained mode has {highest_hz:.3e} Hz; retain more modes until the results do not change (`reduction.modes`)",
-        named("stop", stop)
+        "{}: a contact lasts {} on average and excites modes up to about {}, but the highest retained mode has {}; retain more modes until the results do not change (`reduction.modes`)",
+        named("stop", stop),
+        Quantity::Time.write_rounded(*duration_s, 3),
+        Quantity::Frequency.write_rounded(*needed_hz, 4),
+        Quantity::Frequency.write_rounded(*highest_hz, 4)
     )]
     ShortContact {
         /// Name of the stop.
@@ -89,7 +94,10 @@ pub enum Warning {
     },
     /// Samples do not resolve the force of a contact.
     #[error(
-        "{}: a contact lasts {duration_s:.2e} s on average, but the stored samples are {:.2e} s apart, so that its force curve lacks contacts and peaks; store at least {needed_hz} samples per second (`--sample-rate`)", named("stop", stop), 1.0 / sample_rate_hz
+        "{}: a contact lasts {} on average, but the stored samples are {} apart, so that its force curve lacks contacts and peaks; store at least {needed_hz} samples per second (`--sample-rate`)",
+        named("stop", stop),
+        Quantity::Time.write_rounded(*duration_s, 3),
+        Quantity::Time.write_rounded(1.0 / sample_rate_hz, 3)
     )]
     Undersampled {
         /// Name of the stop.
@@ -116,7 +124,11 @@ pub enum Warning {
     },
     /// A plate is too thick for the theory of thin plates.
     #[error(
-        "{}: its thickness of {thickness_m:.3e} m is not small against the half-wavelength of the highest retained mode, {half_wavelength_m:.3e} m: without shear and rotary inertia this frequency is about {:.1} % too high; retain fewer modes, or import the matrices of a solid", named("plate", plate), 100.0 * error
+        "{}: its thickness of {} is not small against the half-wavelength of the highest retained mode, {}: without shear and rotary inertia this frequency is about {:.1} % too high; retain fewer modes, or import the matrices of a solid",
+        named("plate", plate),
+        Quantity::Length.write_rounded(*thickness_m, 4),
+        Quantity::Length.write_rounded(*half_wavelength_m, 4),
+        100.0 * error
     )]
     ThickPlate {
         /// Name of the plate.

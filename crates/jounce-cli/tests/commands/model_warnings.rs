@@ -15,7 +15,7 @@ fn a_thick_plate_gives_a_warning() {
     assert!(
         code == 0
             && warning["warning"] == "thick-plate"
-            && text_out.contains("plate lid: its thickness of 5.000e-3 m"),
+            && text_out.contains("plate lid: its thickness of 5 mm"),
         "{run} {text_out}"
     );
     let half_wavelength_m = warning["half_wavelength_m"].as_f64().unwrap();

@@ -208,7 +208,11 @@ fn contacts_too_short_for_the_retained_modes_give_a_warning() {
         let modes = format!("reduction.modes={modes}");
         let stiff = "stop.corner.stiffness=1e7 N/m^1.5";
         let (code, run, text) = jounce(&["run", spec, "--json", "--set", &modes, "--set", stiff]);
-        assert_eq!(code, 0, "{text}");
+        // Numbers have a prefix in place of a power of ten.
+        assert!(
+            code == 0 && !text.contains("e-4 s") && !text.contains("e3 Hz"),
+            "{text}"
+        );
         let duration_s = run["stops"][0]["mean_contact_duration_s"].as_f64().unwrap();
         (run["warnings"].clone(), duration_s)
     });

@@ -7,6 +7,7 @@ use jounce_analysis::{
     BifurcationPlace, Derivative, DerivativeKey, FoldPlace, Model, farthest_hz,
     nearest_bifurcations, nearest_fold,
 };
+use jounce_spec::Quantity;
 
 /// Returns the distance of the nearest fold from the frequency of the drive, Hz: that of the end of
 /// the range without a fold; NaN where the branch cannot be followed.
@@ -48,8 +49,9 @@ fn nearer_text(nearer: BifurcationPlace) -> String {
         distance_hz,
     } = nearer;
     format!(
-        "the branch of the best orbit over the frequency of the drive has a bifurcation of the kind {} at {frequency_hz:.6} Hz, {distance_hz:.3e} Hz away and nearer than any fold: the orbit may lose its stability there (`jounce branch` shows its stable ranges)",
-        kind.name()
+        "the branch of the best orbit over the frequency of the drive has a bifurcation of the kind {} at {frequency_hz:.6} Hz, {} away and nearer than any fold: the orbit may lose its stability there (`jounce branch` shows its stable ranges)",
+        kind.name(),
+        Quantity::Frequency.write_rounded(distance_hz, 4)
     )
 }
 

@@ -83,7 +83,7 @@ fn a_bifurcation_nearer_than_the_fold_is_a_warning() {
         panic!("{:?}", found.warnings)
     };
     assert!(
-        warning.contains("neimark-sacker at 12.802") && warning.contains("1.977e-1 Hz away"),
+        warning.contains("neimark-sacker at 12.802") && warning.contains("197.7 mHz away"),
         "{warning}"
     );
 }

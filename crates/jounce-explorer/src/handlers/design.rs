@@ -5,17 +5,27 @@ use crate::session::cancellation::Cancellation;
 use crate::session::fault::RequestFault;
 use crate::session::frame::Frame;
 use crate::source::Source;
-use jounce::live::Design;
+use jounce::live::{Design, ViewRoom};
 use serde_json::json;
 
-/// Returns the drawing, on a sheet of a width in pixels if one is given, and the controls.
-pub fn describe(id: u64, design: &Design, width: Option<f64>, source: &Source) -> Frame {
+/// Returns the drawing, in a room of a width and height in pixels if they are given, and the
+/// controls.
+pub fn describe(
+    id: u64,
+    design: &Design,
+    (width, height): (Option<f64>, Option<f64>),
+    source: &Source,
+) -> Frame {
+    let room = width.map(|width_px| ViewRoom {
+        width_px,
+        height_px: height.unwrap_or(f64::INFINITY),
+    });
     let title = source.name().file_stem().unwrap_or_default();
     let mut frame = Frame::new(id, "design", "done");
     frame
         .put(
             "drawing",
-            json!(design.drawing(&title.to_string_lossy(), width)),
+            json!(design.drawing(&title.to_string_lossy(), room)),
         )
         .put("controls", json!(design.controls()))
         .put("optional", json!(design.optional_keys()))

@@ -218,8 +218,9 @@ impl Session {
         let design = &self.design(request)?;
         let id = request.id;
         match &request.kind {
-            RequestKind::Design { width } => {
-                self.send(cancellation, design::describe(id, design, *width, source));
+            RequestKind::Design { width, height } => {
+                let room = (*width, *height);
+                self.send(cancellation, design::describe(id, design, room, source));
                 Ok(())
             }
             RequestKind::Modes => {

@@ -68,6 +68,9 @@ pub enum RequestKind {
         /// Width of the sheet of the drawing, px.
         #[serde(default)]
         width: Option<f64>,
+        /// Height for each view of the drawing, px; without one, no view is made smaller.
+        #[serde(default)]
+        height: Option<f64>,
     },
     /// Figures of the mode shapes.
     Modes,

@@ -1,5 +1,7 @@
 //! Errors of a system that are found before any computation.
 
+use jounce_spec::Quantity;
+
 /// Reason why a system has no usable linear plant, with the numbers.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
@@ -58,7 +60,10 @@ pub enum PlantError {
     },
     /// The rate of a circuit is too far above those of the modes.
     #[error(
-        "circuit.{circuit}.{key} is {value:e} {unit}; with {capacitance_f:e} F its time constant is {time_s:.1e} s, more than {most:.0e} times faster than the fastest retained mode, {mode_hz:.3e} Hz, so roundoff would swamp the eigenvalues; if the mode is too slow, correct the lengths and materials of the structure; else give at least {least:.1e} {unit}, or a larger capacitance"
+        "circuit.{circuit}.{key} is {value:e} {unit}; with {} its time constant is {}, more than {most:.0e} times faster than the fastest retained mode, {}, so roundoff would swamp the eigenvalues; if the mode is too slow, correct the lengths and materials of the structure; else give at least {least:.1e} {unit}, or a larger capacitance",
+        Quantity::Capacitance.write_rounded(*capacitance_f, 4),
+        Quantity::Time.write_rounded(*time_s, 2),
+        Quantity::Frequency.write_rounded(*mode_hz, 4)
     )]
     TooFast {
         /// The circuit.

@@ -4,6 +4,7 @@
 //! [`super::log_labels`]. Values are written as plain decimals of a prefixed unit if these lie
 //! between 0.001 and 10000, else as powers of ten.
 
+use super::log_labels::is_narrow;
 use super::span::Span;
 use super::tick_positions::tick_positions;
 use super::unit;
@@ -60,34 +61,28 @@ fn title(quantity: &str, unit: &str, exponent: i32, power: Option<i32>) -> Strin
     }
 }
 
-/// Returns the power of ten of the prefix. Labels of linear axes lie between 1 and 1000; those of
-/// logarithmic axes are plain if possible, else without prefix.
+/// Returns the power of ten of the prefix. The largest labels of axes with equal steps lie between 1
+/// and 1000; labels of other logarithmic axes are plain if possible, else without prefix.
 fn prefix_exponent(span: &Span) -> i32 {
     let thousands = |x: f64| (x.log10() / 3.0 + 1e-9).floor() as i32 * 3;
-    match span.scale {
-        Scale::Linear => {
-            let largest = span.low.abs().max(span.high.abs());
-            let exponent = thousands(largest);
-            // A round thousand at the end of an axis does not change the unit: 0 to 1000 Hz.
-            let exponent = if exponent > 0 && largest < 1.1 * 10f64.powi(exponent) {
-                exponent - 3
-            } else {
-                exponent
-            };
-            exponent.clamp(-18, 12)
-        }
-        Scale::Log => {
-            let candidates = [0, thousands(span.low), thousands(span.low) + 3];
-            // Over many decades a prefix does not help: 10⁻⁵ W is easier to read than 10000 nW.
-            let short = (span.high / span.low).log10() < 4.5;
-            let plain = |e: &i32| {
-                (*e == 0 || short)
-                    && unit::prefix(*e).is_some()
-                    && axis_is_plain(span, 10f64.powi(*e))
-            };
-            candidates.into_iter().find(plain).unwrap_or(0)
-        }
+    if span.scale == Scale::Log && !is_narrow(span.low, span.high) {
+        let candidates = [0, thousands(span.low), thousands(span.low) + 3];
+        // Over many decades a prefix does not help: 10⁻⁵ W is easier to read than 10000 nW.
+        let short = (span.high / span.low).log10() < 4.5;
+        let plain = |e: &i32| {
+            (*e == 0 || short) && unit::prefix(*e).is_some() && axis_is_plain(span, 10f64.powi(*e))
+        };
+        return candidates.into_iter().find(plain).unwrap_or(0);
     }
+    let largest = span.low.abs().max(span.high.abs());
+    let exponent = thousands(largest);
+    // A round thousand at the end of an axis does not change the unit: 0 to 1000 Hz.
+    let exponent = if exponent > 0 && largest < 1.1 * 10f64.powi(exponent) {
+        exponent - 3
+    } else {
+        exponent
+    };
+    exponent.clamp(-18, 12)
 }
 
 /// True where the powers of ten on a logarithmic axis are readable as plain decimals: 0.001 to
@@ -232,6 +227,17 @@ mod tests {
                 .join(" "),
             "0.02 0.05 0.1 0.2 0.5"
         );
+    }
+
+    #[test]
+    fn narrow_log_axes_have_the_units_of_the_cases_that_the_live_page_shares() {
+        let cases: serde_json::Value = serde_json::from_str(include_str!("cases.json")).unwrap();
+        for case in cases["units"].as_array().unwrap() {
+            let [low, high] = ["low", "high"].map(|end| case[end].as_f64().unwrap());
+            let [unit, shown] = ["unit", "shown"].map(|name| case[name].as_str().unwrap());
+            let (title, _) = ticks(Axis::log("Power", unit).between(low, high), 6.0);
+            assert_eq!(title, format!("Power ({shown})"), "{case}");
+        }
     }
 
     #[test]

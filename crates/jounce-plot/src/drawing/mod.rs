@@ -25,6 +25,16 @@ use super::{PictureError, file, raster};
 use jounce_io::table::Manifest;
 use std::path::Path;
 
+/// Room for the sheet and its views.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ViewRoom {
+    /// Width of the sheet, px; between 320 and the default of 900.
+    pub width_px: f64,
+    /// Height for the side view, and for each plan view, px. A view whose symbols and labels need
+    /// more is higher.
+    pub height_px: f64,
+}
+
 impl Drawing {
     /// Returns the drawing as an SVG document without ids, scripts or links.
     pub fn to_svg(&self) -> String {
@@ -33,13 +43,18 @@ impl Drawing {
 
     /// Returns the drawing with the positions of its parts, for a page in which they can be moved.
     pub fn sheet(&self) -> GripSheet {
-        sheet::draw_sheet(self, sheet::WIDTH)
+        let room = ViewRoom {
+            width_px: sheet::WIDTH,
+            height_px: f64::INFINITY,
+        };
+        sheet::draw_sheet(self, room)
     }
 
-    /// Returns the drawing as [`Drawing::sheet`] on a sheet of a width in pixels, between 320 and the
-    /// default.
-    pub fn sheet_of_width(&self, width: f64) -> GripSheet {
-        sheet::draw_sheet(self, width.clamp(sheet::MIN_WIDTH, sheet::WIDTH))
+    /// Returns the drawing as [`Drawing::sheet`] for a page with little room, where labels keep their
+    /// size and bodies become smaller.
+    pub fn sheet_in(&self, room: ViewRoom) -> GripSheet {
+        let width_px = room.width_px.clamp(sheet::MIN_WIDTH, sheet::WIDTH);
+        sheet::draw_sheet(self, ViewRoom { width_px, ..room })
     }
 
     /// Returns the drawing as a PNG file of `scale` times its size in pixels.

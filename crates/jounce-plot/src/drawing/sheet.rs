@@ -5,9 +5,10 @@ use super::grips::grips;
 use super::layout::DrawingLayout;
 use super::layout::rect::Rect;
 use super::layout::scale;
-use super::parts::{bodies, circuit, close_up, contacts, drives, plan};
+use super::parts::plan::PlanView;
+use super::parts::{bodies, circuit, close_up, contacts, drives};
 use super::symbols::dimension;
-use super::{Drawing, DrawnCircuit, DrawnContact, DrawnPlan, GripSheet};
+use super::{Drawing, DrawnCircuit, DrawnContact, GripSheet, ViewRoom};
 use crate::svg::{Anchor, Svg};
 use crate::text::{SMALL, TITLE, wrap};
 
@@ -25,7 +26,7 @@ const SPACE: f64 = 26.0;
 enum Cell<'d> {
     Circuit(&'d DrawnCircuit),
     Look(&'d DrawnContact),
-    Plan(&'d DrawnPlan),
+    Plan(PlanView<'d>),
 }
 
 impl Cell<'_> {
@@ -33,7 +34,7 @@ impl Cell<'_> {
         match self {
             Cell::Circuit(circuit) => (circuit::wide(circuit), circuit::HIGH),
             Cell::Look(_) => close_up::SIZE,
-            Cell::Plan(plate) => plan::size(plate),
+            Cell::Plan(view) => view.size(),
         }
     }
 }
@@ -50,11 +51,11 @@ struct Content {
     cells: Vec<Rect>,
 }
 
-/// Returns the drawing on a sheet of a width, with the positions of its parts.
-pub fn draw_sheet(drawing: &Drawing, sheet_width: f64) -> GripSheet {
-    let layout = scale::fitted(drawing, sheet_width / WIDTH);
-    let mut svg = Svg::new(sheet_width, &drawing.title);
-    let sheet_content = content(&mut svg, drawing, &layout, sheet_width);
+/// Returns the drawing with the positions of its parts.
+pub fn draw_sheet(drawing: &Drawing, room: ViewRoom) -> GripSheet {
+    let layout = scale::fitted(drawing, room);
+    let mut svg = Svg::new(room.width_px, &drawing.title);
+    let sheet_content = content(&mut svg, drawing, &layout, room);
     let first_plan = sheet_content.cells.len() - drawing.plans.len();
     let (cells, plans) = sheet_content.cells.split_at(first_plan);
     let (circuits, close_ups) = cells.split_at(drawing.circuits.len());
@@ -70,7 +71,8 @@ pub fn draw_sheet(drawing: &Drawing, sheet_width: f64) -> GripSheet {
 }
 
 /// Draws all elements.
-fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout, sheet_width: f64) -> Content {
+fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout, room: ViewRoom) -> Content {
+    let sheet_width = room.width_px;
     let mut y = 12.0;
     for line in wrap(&drawing.title, TITLE, sheet_width - 2.0 * EDGE) {
         y += TITLE + 4.0;
@@ -106,6 +108,9 @@ fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout, sheet_width
         .iter()
         .filter(|contact| close_up::needed(contact, layout.px_per_m))
         .map(Cell::Look);
+    let in_room = (sheet_width - 2.0 * EDGE, room.height_px);
+    let plans = drawing.plans.iter();
+    let plans = plans.map(|plan| Cell::Plan(PlanView::new(plan, in_room)));
     let (height, cells) = cells(
         svg,
         drawing,
@@ -115,7 +120,7 @@ fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout, sheet_width
             .iter()
             .map(Cell::Circuit)
             .chain(close_ups)
-            .chain(drawing.plans.iter().map(Cell::Plan)),
+            .chain(plans),
         (sheet_width, y),
     );
     Content {
@@ -200,7 +205,7 @@ fn cells<'d>(
         match cell {
             Cell::Circuit(circuit) => circuit::draw(svg, circuit, (x, y)),
             Cell::Look(contact) => close_up::draw(svg, drawing, contact, (x, y), layout.px_per_m),
-            Cell::Plan(plate) => plan::draw(svg, plate, (x, y)),
+            Cell::Plan(view) => view.draw(svg, (x, y)),
         }
         covered.push(Rect::between((x, y), (x + width, y + height)));
         (x, high) = (x + width + SPACE, high.max(height));

@@ -16,7 +16,7 @@ pub struct PlateShape {
 const FRAME_PX: f64 = 620.0;
 
 /// Height of the frame of a picture of a motion, px, and its largest width.
-const MOTION_PX: (f64, f64) = (110.0, 300.0);
+const MOTION_PX: (f64, f64) = (110.0, 260.0);
 /// Room next to the frame for its labels, px.
 const LABELS_PX: f64 = 100.0;
 

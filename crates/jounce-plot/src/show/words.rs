@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 /// Formats a value in its unit with at most five digits; large numbers have an exponent.
 pub fn value(quantity: Quantity, value: f64) -> String {
-    let text = quantity.write(format!("{value:.4e}").parse().unwrap_or(value));
+    let text = quantity.write_rounded(value, 5);
     let (number, unit) = text.split_once(' ').unwrap_or((&text, ""));
     let long = number
         .parse::<f64>()

@@ -1,6 +1,7 @@
 //! Warnings of an import.
 
 use jounce_model::exchange::ImportedModes;
+use jounce_spec::Quantity;
 
 /// Deviation of computed shapes from orthonormal ones above which a warning is given.
 const MAX_ORTHOGONALITY: f64 = 1e-8;
@@ -89,10 +90,11 @@ fn rigid_warnings(imported: &ImportedModes) -> Vec<String> {
     let mut warnings = Vec::new();
     if let Some(largest_hz) = largest(&imported.set_to_zero_hz) {
         warnings.push(format!(
-            "{} set to 0 Hz as rigid-body motions, because {} far below the first elastic frequency: up to {largest_hz:.3e} Hz in the matrices, \
+            "{} set to 0 Hz as rigid-body motions, because {} far below the first elastic frequency: up to {} in the matrices, \
              which may be the roundoff of written numbers; for a soft support, import the structure without it and add the support in the spec",
             modes_in_words(&imported.set_to_zero_hz),
             if imported.set_to_zero_hz.len() == 1 { "it lies" } else { "they lie" },
+            Quantity::Frequency.write_rounded(largest_hz, 4),
         ));
     }
     if let Some(largest_per_s) = largest(&imported.rigid_damping_per_s) {

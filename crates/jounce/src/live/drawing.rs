@@ -2,7 +2,7 @@
 
 use super::Design;
 use jounce_plot::show;
-use jounce_plot::{Drawing, DrawnShape, GripPart, Rect};
+use jounce_plot::{Drawing, DrawnShape, GripPart, Rect, ViewRoom};
 use serde::Serialize;
 
 /// Scale drawing of a design.
@@ -53,7 +53,7 @@ pub enum GripKind {
 }
 
 impl Design {
-    /// Draws the design to scale, on a sheet of a width in pixels if one is given.
+    /// Draws the design to scale, in a room if one is given.
     ///
     /// ```
     /// use jounce::{Harvester, live::Design};
@@ -63,9 +63,9 @@ impl Design {
     /// assert!(drawing.grips.iter().any(|grip| grip.key == "stop.tip.gap"));
     /// # Ok::<(), jounce::Error>(())
     /// ```
-    pub fn drawing(&self, title: &str, width: Option<f64>) -> DesignDrawing {
+    pub fn drawing(&self, title: &str, room: Option<ViewRoom>) -> DesignDrawing {
         let drawing = show::drawing(title, self.spec());
-        let sheet = width.map_or_else(|| drawing.sheet(), |width| drawing.sheet_of_width(width));
+        let sheet = room.map_or_else(|| drawing.sheet(), |room| drawing.sheet_in(room));
         let grip = |grip: &jounce_plot::Grip| {
             let (kind, name, key, length) = self.moved(&drawing, grip.part)?;
             Some(Grip {

@@ -49,6 +49,7 @@ pub use design::Design;
 pub use drawing::{DesignDrawing, Grip, GripKind};
 pub use excitation::{Excitation, ExcitationResult};
 pub use jounce_analysis::Bandwidth;
+pub use jounce_plot::ViewRoom;
 pub use key_span::KeySpan;
 pub use load::{LinearLoad, LoadOptions};
 pub use mode_figures::ModeFigure;

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::text::width;
-use jounce_spec::SpecFile;
+use jounce_spec::{Spec, SpecFile};
 use std::path::{Path, PathBuf};
 
 /// Returns the value of an attribute of an element.
@@ -79,8 +79,8 @@ fn specs(folder: &Path) -> Vec<PathBuf> {
     spec_paths
 }
 
-#[test]
-fn no_label_of_any_example_or_starter_lies_over_another_or_leaves_the_page() {
+/// Returns every example and starter with its path.
+fn all_specs() -> Vec<(PathBuf, Spec)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let all = [
         specs(&root.join("../../examples")),
@@ -88,28 +88,64 @@ fn no_label_of_any_example_or_starter_lies_over_another_or_leaves_the_page() {
     ]
     .concat();
     assert!(all.len() > 20, "{all:?}");
-    for path in all {
-        let spec = SpecFile::read(&path)
-            .unwrap()
-            .spec()
-            .unwrap_or_else(|faults| panic!("{}: {faults}", path.display()));
-        let svg = crate::show::drawing("title", &spec).to_svg();
-        let page = Rect::between((0.0, 0.0), (number(&svg, "width"), number(&svg, "height")));
-        let texts = texts(&svg);
-        for (k, (room, text)) in texts.iter().enumerate() {
+    let read = |path: PathBuf| {
+        let spec = SpecFile::read(&path).unwrap().spec();
+        let spec = spec.unwrap_or_else(|faults| panic!("{}: {faults}", path.display()));
+        (path, spec)
+    };
+    all.into_iter().map(read).collect()
+}
+
+/// Fails where a label lies over another or leaves the sheet.
+fn assert_labels_are_free(svg: &str, of: &str) {
+    let page = Rect::between((0.0, 0.0), (number(svg, "width"), number(svg, "height")));
+    let texts = texts(svg);
+    for (k, (room, text)) in texts.iter().enumerate() {
+        assert!(
+            page.joined(room) == page,
+            "{of}: \"{text}\" leaves the page: {room:?}"
+        );
+        let over = texts[..k].iter().find(|(other, _)| other.meets(room));
+        assert!(over.is_none(), "{of}: \"{text}\" lies over {over:?}");
+    }
+}
+
+#[test]
+fn no_label_of_any_example_or_starter_lies_over_another_or_leaves_the_page() {
+    for (path, spec) in all_specs() {
+        let of = path.display().to_string();
+        assert_labels_are_free(&crate::show::drawing("title", &spec).to_svg(), &of);
+    }
+}
+
+/// Rooms of a live page: low next to other views, and narrow on a telephone.
+#[test]
+fn plates_in_a_small_room_are_smaller_and_their_labels_are_not() {
+    let plates = all_specs().into_iter();
+    let plates = plates.filter(|(_, spec)| !spec.plate.is_empty());
+    let mut highest_default = 0.0_f64;
+    for (path, spec) in plates {
+        let drawing = crate::show::drawing("title", &spec);
+        let plan = |sheet: &GripSheet| sheet.plans[0];
+        highest_default = highest_default.max(plan(&drawing.sheet()).height());
+        for (width_px, height_px) in [(395.0, 182.0), (360.0, f64::INFINITY)] {
+            let of = format!("{} in {width_px} px", path.display());
+            let room = ViewRoom {
+                width_px,
+                height_px,
+            };
+            let sheet = drawing.sheet_in(room);
+            assert_labels_are_free(&sheet.svg, &of);
+            let (side, plan) = (sheet.side, plan(&sheet));
+            assert!(plan.height() < height_px + 1e-6, "{of}: {plan:?}");
+            assert!(plan.width() <= width_px - 2.0 * EDGE, "{of}: {plan:?}");
             assert!(
-                page.joined(room) == page,
-                "{}: \"{text}\" leaves the page: {room:?}",
-                path.display()
-            );
-            let over = texts[..k].iter().find(|(other, _)| other.meets(room));
-            assert!(
-                over.is_none(),
-                "{}: \"{text}\" lies over {over:?}",
-                path.display()
+                side.height() <= height_px.max(182.0) * 1.2,
+                "{of}: {side:?}"
             );
         }
     }
+    assert!(highest_default > 300.0, "{highest_default}");
 }
 
 /// Returns the ends of every thin straight line.
@@ -136,16 +172,9 @@ fn thin_lines(svg: &str) -> Vec<[(f64, f64); 2]> {
 /// No leader crosses a beam, its own or another.
 #[test]
 fn no_leader_of_any_example_or_starter_crosses_a_beam() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut leader_count = 0;
-    for path in [
-        specs(&root.join("../../examples")),
-        specs(&root.join("../jounce-spec/src/starter")),
-    ]
-    .concat()
-    {
-        let sheet =
-            crate::show::drawing("title", &SpecFile::read(&path).unwrap().spec().unwrap()).sheet();
+    for (path, spec) in all_specs() {
+        let sheet = crate::show::drawing("title", &spec).sheet();
         let leaders: Vec<_> = thin_lines(&sheet.svg)
             .into_iter()
             .filter(|[from, _]| from.1 < sheet.side.bottom)
