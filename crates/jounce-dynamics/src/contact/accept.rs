@@ -18,7 +18,7 @@ use jounce_simd::{F64x8, Simd};
 const NEAR_PEAK: f64 = 0.98;
 
 impl Integrator<'_> {
-    /// Accepts a solved step.
+    /// Accepts a solved step of the only port in contact.
     #[inline(always)]
     pub(super) fn accept_step<W: Simd, L: ContactLaw>(
         &mut self,
@@ -27,28 +27,32 @@ impl Integrator<'_> {
         step: &ContactStep,
         solved: &SolvedStep,
     ) {
-        let table = step.table;
-        let mut force = solved.force;
-        force.0[NODES] = 0.0;
+        let force = nodal(&solved.force);
         if self.record.is_some() {
-            self.note(table.length_s, &[PortForce::new(step, &force)]);
+            self.note(step.table.length_s, &[PortForce::new(step, &force)]);
         }
-        table.flow.apply(w, &self.y, &mut self.next);
-        self.push_on(w, step, &force);
-        self.integrate_force(w, step, &force);
-        std::mem::swap(&mut self.y, &mut self.next);
-        self.time_s += table.length_s;
-        self.excitation.pass(
-            w,
-            self.kernel,
-            table.length_s,
-            self.time_s,
-            (&self.next, &mut self.y),
-        );
+        step.table.flow.apply(w, &self.y, &mut self.next);
+        self.apply_force(w, step, &force);
+        self.end_contact_step(w, step);
+        self.update_port_in_contact(w, law, step, solved);
+    }
+
+    /// Applies the nodal forces of a step, last lane 0: to the state at its end, in `next`, and to
+    /// the energy meters.
+    #[inline(always)]
+    pub(crate) fn apply_force<W: Simd>(&mut self, w: W, step: &ContactStep, force: &F64x8) {
+        self.push_on(w, step, force);
+        self.integrate_force(w, step, force);
+    }
+
+    /// Advances to the end of a step, whose state is in `next`; the ports are not updated.
+    #[inline(always)]
+    pub(crate) fn end_contact_step<W: Simd>(&mut self, w: W, step: &ContactStep) {
+        let length_s = step.table.length_s;
+        self.enter_next(w, length_s, self.time_s + length_s);
         for tone in &mut self.tones {
             tone.turn *= tone.samples[step.port].end();
         }
-        self.update_port_in_contact(w, law, step, solved);
         self.work.contact_steps += 1;
     }
 
@@ -166,7 +170,7 @@ impl Integrator<'_> {
 
     /// Adds the nodal forces of a step to the integrals that the energy meters need.
     #[inline(always)]
-    pub(crate) fn integrate_force<W: Simd>(&mut self, w: W, step: &ContactStep, force: &F64x8) {
+    fn integrate_force<W: Simd>(&mut self, w: W, step: &ContactStep, force: &F64x8) {
         let (table, basis, p) = (step.table, step.basis, step.port);
         let vectors = &self.kernel.vectors[p];
         let spread = spread(w, force);
@@ -217,4 +221,12 @@ fn metered_j<W: Simd>(
     force: &F64x8,
 ) -> f64 {
     w.sum(w.fma(response, w.load(force), row.read(w, from_start, y)))
+}
+
+/// Returns the nodal forces with 0 in the lane of the end of the step.
+#[inline(always)]
+pub(crate) fn nodal(force: &F64x8) -> F64x8 {
+    let mut force = *force;
+    force.0[NODES] = 0.0;
+    force
 }

@@ -17,6 +17,7 @@ use crate::kernel::{ForceBasis, Kernel};
 use crate::ports::state::ContactState;
 use crate::tables::joint::StepLength;
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
+pub(crate) use accept::nodal;
 use jounce_model::contact::ContactLaw;
 use jounce_simd::Simd;
 use step::{ContactStep, SolvedStep};
@@ -64,38 +65,21 @@ impl SolvedStep {
 }
 
 impl Integrator<'_> {
-    /// Integrates the contact of the only port until it leaves its stop or the end is reached.
-    #[inline(always)]
-    pub(super) fn contact<W: Simd, L: ContactLaw>(
-        &mut self,
-        w: W,
-        law: L,
-        end_s: f64,
-    ) -> Result<(), IntegrationError> {
-        let port = &self.ports[0];
-        let start = (
-            port.entry_level,
-            !law.acts_on_both_sides() && port.penetration_m <= 0.0,
-        );
-        self.stay(w, law, (0, false), start, end_s)?;
-        Ok(())
-    }
-
-    /// Integrates the contact of a port until it leaves its stop or the end is reached. With other
-    /// ports, it also returns when one of them must be monitored or the end is near. It starts with
-    /// a step of a level, which enters the contact or does not, and returns the level and entry of
-    /// the next step.
+    /// Integrates the contact of a compliant port, the only one in contact, until it leaves its stop
+    /// or the end is reached. With other ports, it also returns when one of them must be monitored
+    /// or the end is near: a step to the end is accurate for all ports.
     #[inline(always)]
     pub(super) fn stay<W: Simd, L: ContactLaw>(
         &mut self,
         w: W,
         law: L,
         (p, with_others): (usize, bool),
-        (level, mut entering): (i32, bool),
         end_s: f64,
-    ) -> Result<(i32, bool), IntegrationError> {
+    ) -> Result<(), IntegrationError> {
+        let port = &self.ports[p];
+        let (mut level, mut entering) = (port.level, port.entering && port.rate_m_s > 0.0);
         let (kernel, both_sides) = (self.kernel, law.acts_on_both_sides());
-        let mut level = level.max(coarsest(law, kernel));
+        level = level.max(coarsest(law, kernel));
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
         while self.time_s < end_s && self.ports[p].contact_state == ContactState::Contact {
@@ -148,7 +132,13 @@ impl Integrator<'_> {
                 }
             }
         }
-        Ok((level, entering))
+        // A step to the end is shorter than its level: its error does not predict the next one.
+        if self.time_s >= end_s {
+            level = self.ports[p].entry_level;
+        }
+        let port = &mut self.ports[p];
+        (port.level, port.entering) = (level, entering);
+        Ok(())
     }
 
     /// Returns the solution of a step if it is reliable, and the allowed impulse error, N s.

@@ -6,7 +6,7 @@
 //! and so does the basis of the first step (see [`crate::force_response::basis`]). The error is
 //! estimated at the two ends of the step, where the force in the basis need not match the law.
 
-use crate::force_response::basis::{BasisFunctions, SMOOTH_BASIS};
+use crate::force_response::basis::BasisFunctions;
 use crate::integrator::Integrator;
 use crate::kernel::{ForceBasis, Kernel};
 use crate::ports::phasor::PhasorSamples;
@@ -29,22 +29,6 @@ pub(crate) struct ContactStep<'a> {
     pub(crate) start_rate_m_s: f64,
     /// Roundoff of the penetration, m.
     pub(crate) roundoff_m: f64,
-}
-
-impl<'a> ContactStep<'a> {
-    /// Creates a step with a prescribed force.
-    pub(crate) fn with_prescribed_force(port: usize, table: &'a ContactTable) -> Self {
-        Self {
-            port,
-            table,
-            basis: &SMOOTH_BASIS,
-            shape: ForceBasis::Smooth,
-            drive: F64x8::ZERO,
-            drive_rate: F64x8::ZERO,
-            start_rate_m_s: 0.0,
-            roundoff_m: 0.0,
-        }
-    }
 }
 
 /// Solved step: nodal penetrations, rates and forces (last lane: end of the step).

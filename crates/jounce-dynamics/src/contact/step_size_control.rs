@@ -43,7 +43,7 @@ const MAX_RELEASE_DISTANCE: f64 = 2.0;
 
 impl ContactStep<'_> {
     /// Returns the time from the last node to the end, s.
-    fn last_gap_s(&self) -> f64 {
+    pub(crate) fn last_gap_s(&self) -> f64 {
         self.table.length_s * (1.0 - self.basis.positions[NODES - 1])
     }
 }

@@ -1,4 +1,9 @@
-//! Flight: exact flow in certified steps, until the stop is hit or the end is reached.
+//! Flight of all ports: exact flow in certified steps, until one of them hits its stop or the end is
+//! reached.
+//!
+//! There is one certificate per port. A step is accepted when it is clear for all ports; the port
+//! with the first proved crossing has the impact. A plant without stops has nothing to prove: its
+//! steps are as long as they can be.
 
 pub(crate) mod certificate;
 pub(crate) mod crossing;
@@ -15,46 +20,64 @@ use crate::ports::state::{ContactState, PortState};
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use certificate::FlightStep;
 use crossing::Crossing;
-use jounce_model::contact::Law;
 use jounce_simd::{F64x8, Simd};
-use verdict::FlightVerdict;
+use verdict::StepOutcome;
+
+/// Trial step of a flight.
+#[derive(Clone, Copy)]
+struct TrialFlight {
+    /// Level whose tables hold for the step: its own, or the shortest one that bounds it from above.
+    level: i32,
+    length_s: f64,
+    /// True where the step ends at the end of the flight, and not after a level.
+    landing: bool,
+}
 
 impl Integrator<'_> {
-    /// Integrates the flight until contact or until the end.
+    /// Integrates the flight of all ports until one of them has an impact or until the end.
     #[inline(always)]
-    pub(super) fn flight<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
-        w.out_of_line(
-            #[inline(always)]
-            || self.fly_single_port(w, end_s),
-        )
+    pub(crate) fn fly<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
+        // The loops over the ports vanish where one port is compiled on its own.
+        match self.kernel.plant.ports.len() {
+            1 => w.out_of_line(
+                #[inline(always)]
+                || self.fly_ports(w, 1, end_s),
+            ),
+            ports => w.out_of_line(
+                #[inline(always)]
+                || self.fly_ports(w, ports, end_s),
+            ),
+        }
     }
 
     #[inline(always)]
-    fn fly_single_port<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
-        if self.kernel.plant.ports.is_empty() {
-            self.fly_without_ports(w, end_s);
-            return Ok(());
-        }
+    fn fly_ports<W: Simd>(
+        &mut self,
+        w: W,
+        ports: usize,
+        end_s: f64,
+    ) -> Result<(), IntegrationError> {
         let (mut grow, begun_s) = (LEVELS_PER_OCTAVE, self.time_s);
         while self.time_s < end_s {
             let level = self.flight_level;
-            let length_s = Kernel::length_s(level);
             let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
-            let landing = length_s >= remaining_s;
-            // For a step that ends early, the shortest level that bounds it from above.
-            let tight = if landing {
-                level.max(Kernel::level_within(remaining_s) - 1)
+            let landing = Kernel::length_s(level) >= remaining_s;
+            let trial = if landing {
+                TrialFlight {
+                    level: level.max(Kernel::level_within(remaining_s) - 1),
+                    length_s: remaining_s,
+                    landing,
+                }
             } else {
-                level
+                TrialFlight {
+                    level,
+                    length_s: Kernel::length_s(level),
+                    landing,
+                }
             };
-            let verdict = if landing {
-                self.land(w, tight, remaining_s, end_s)
-            } else {
-                self.attempt(w, level)
-            };
-            match verdict {
-                FlightVerdict::Clear => {
-                    self.work.flight_steps += 1;
+            match self.attempt(w, ports, trial) {
+                StepOutcome::Clear => {
+                    self.accept_flight(w, ports, trial, end_s);
                     let longer = (level - grow).max(Kernel::coarsest());
                     // If this flight lasts as long as the previous one, a step much longer than the
                     // remaining time would be rejected.
@@ -63,17 +86,17 @@ impl Integrator<'_> {
                     self.flight_level = if reaches_far { level } else { longer };
                     grow = LEVELS_PER_OCTAVE;
                 }
-                FlightVerdict::Strike(crossing) => {
-                    if self.strike(w, crossing, begun_s) {
-                        return Ok(());
-                    }
+                StepOutcome::Strikes(strikes) => {
+                    self.advance_to_first_crossing(w, &strikes);
+                    self.flight_s = self.time_s - begun_s;
+                    return Ok(());
                 }
-                FlightVerdict::Unclear(down) => {
+                StepOutcome::Unclear(down) => {
                     self.work.flight_rejections += 1;
                     // The step after the next would fail as this one did.
                     grow = 0;
-                    self.flight_level = (tight + down).min(Kernel::finest());
-                    if !self.ports[0].penetration_m.is_finite() {
+                    self.flight_level = (trial.level + down).min(Kernel::finest());
+                    if (0..ports).any(|p| !self.ports[p].penetration_m.is_finite()) {
                         return Err(IntegrationError::NotFinite {
                             time_s: self.time_s,
                         });
@@ -84,107 +107,105 @@ impl Integrator<'_> {
         Ok(())
     }
 
-    /// Advances a plant without stops to the end, in one step.
+    /// Evaluates a step: the state at its end is in `next`, the motion of each port there in
+    /// `motion_at_end`.
     #[inline(always)]
-    fn fly_without_ports<W: Simd>(&mut self, w: W, end_s: f64) {
-        let length_s = self.excitation.remaining_s(self.time_s, end_s);
-        self.propagate_to(w, length_s);
-        self.advance_state(w, length_s, end_s);
+    fn attempt<W: Simd>(&mut self, w: W, ports: usize, trial: TrialFlight) -> StepOutcome {
+        let TrialFlight {
+            level,
+            length_s,
+            landing,
+        } = trial;
+        if landing {
+            self.propagate_to(w, length_s);
+        } else {
+            let flow = self.kernel.tables(level).flow(self.kernel);
+            flow.apply(w, &self.y, &mut self.next);
+        }
+        let mut outcome = StepOutcome::Clear;
+        for p in 0..ports {
+            if self.stays_clear(w, p, length_s, None) {
+                continue;
+            }
+            self.update_free_port(w, p);
+            let (drive, motion) = if landing {
+                (
+                    self.drive_after(p, length_s),
+                    self.motion_after(w, p, length_s),
+                )
+            } else {
+                let drive = self.drive_after_level(p, level);
+                let PortState { rows, gap_m, .. } = &self.ports[p];
+                let motion = [
+                    dot(w, &rows.displacement, &self.next) + drive[0] - gap_m,
+                    dot(w, &rows.velocity, &self.next) + drive[1],
+                ];
+                (drive, motion)
+            };
+            self.ports[p].motion_at_end = motion;
+            let step = self.step_from(w, (p, &self.y), level, length_s, motion, drive);
+            let verdict = self.judge_with_others(w, p, &step, motion[0], 0.0);
+            outcome.add(p, verdict);
+        }
+        outcome
+    }
+
+    /// Advances to the end of a clear step, whose state is in `next`.
+    #[inline(always)]
+    fn accept_flight<W: Simd>(&mut self, w: W, ports: usize, trial: TrialFlight, end_s: f64) {
+        if trial.landing {
+            self.advance_state(w, trial.length_s, end_s);
+        } else {
+            self.note(trial.length_s, &[]);
+            for tone in &mut self.tones {
+                let turn = tone.end(trial.level);
+                tone.turn *= turn;
+            }
+            self.enter_next(w, trial.length_s, self.time_s + trial.length_s);
+        }
+        for p in 0..ports {
+            let port = &mut self.ports[p];
+            if !port.clearance.is_unseen {
+                [port.penetration_m, port.rate_m_s] = port.motion_at_end;
+            }
+        }
         self.work.flight_steps += 1;
     }
 
-    /// Ends the flight that began at a time where it reaches the stop; false where the point has
-    /// left a rigid stop instead.
+    /// Advances to the first of several crossings.
     #[inline(always)]
-    fn strike<W: Simd>(&mut self, w: W, crossing: Crossing, begun_s: f64) -> bool {
-        let (after_s, motion) = self.locate(w, 0, crossing);
-        self.advance_state(w, after_s, self.time_s + after_s);
-        self.set_motion(0, motion);
-        // A point that is past a rigid stop by roundoff and moves out has left it, unless it is
-        // pressed back first.
-        if motion[1] < 0.0
-            && matches!(self.kernel.plant.system.stops[0].law, Law::Rigid(_))
-            && !self.is_suppressed_hop(0, motion)
-        {
-            return false;
-        }
-        self.flight_s = self.time_s - begun_s;
-        self.enter_contact(0);
-        true
+    fn advance_to_first_crossing<W: Simd>(&mut self, w: W, strikes: &[(usize, Crossing)]) {
+        w.out_of_line(
+            #[inline(always)]
+            || {
+                let mut first = (0, f64::INFINITY, [0.0; 2]);
+                for (p, crossing) in strikes {
+                    let (after_s, motion) = self.locate(w, *p, *crossing);
+                    if after_s < first.1 {
+                        first = (*p, after_s, motion);
+                    }
+                }
+                let (p, after_s, motion) = first;
+                if strikes.len() > 1 {
+                    self.propagate_to(w, after_s);
+                }
+                self.advance_state(w, after_s, self.time_s + after_s);
+                self.set_motion(p, motion);
+                self.join(w, p);
+            },
+        );
     }
 
-    /// Attempts one step of a level, which is accepted only if clear.
+    /// Returns displacement and velocity of a port under the drive after a level.
     #[inline(always)]
-    fn attempt<W: Simd>(&mut self, w: W, level: i32) -> FlightVerdict {
-        let kernel = self.kernel;
-        kernel
-            .tables(level)
-            .flow(kernel)
-            .apply(w, &self.y, &mut self.next);
-        let mut drive = self.excitation.motion_after(0, Kernel::length_s(level));
+    fn drive_after_level(&mut self, p: usize, level: i32) -> [f64; 2] {
+        let mut drive = self.excitation.motion_after(p, Kernel::length_s(level));
         for tone in &mut self.tones {
             let turn = tone.end(level);
-            let [displacement, speed] = tone.motion_after(0, turn);
+            let [displacement, speed] = tone.motion_after(p, turn);
             drive = [drive[0] + displacement, drive[1] + speed];
         }
-        let PortState { rows, gap_m, .. } = &self.ports[0];
-        let motion = [
-            dot(w, &rows.displacement, &self.next) + drive[0] - gap_m,
-            dot(w, &rows.velocity, &self.next) + drive[1],
-        ];
-        let step = self.step_of(w, 0, level, Kernel::length_s(level), motion, drive);
-        let verdict = self.judge_flight(0, &step, motion[0]);
-        if let FlightVerdict::Clear = verdict {
-            let length_s = step.length_s;
-            if self.record.is_some() {
-                self.note(length_s, &[]);
-            }
-            std::mem::swap(&mut self.y, &mut self.next);
-            self.time_s += length_s;
-            for tone in &mut self.tones {
-                let turn = tone.end(level);
-                tone.turn *= turn;
-            }
-            self.excitation.pass(
-                w,
-                self.kernel,
-                length_s,
-                self.time_s,
-                (&self.next, &mut self.y),
-            );
-            self.set_motion(0, motion);
-        }
-        verdict
-    }
-
-    /// Attempts a last step of any length, to the end.
-    #[inline(always)]
-    fn land<W: Simd>(&mut self, w: W, level: i32, length_s: f64, end_s: f64) -> FlightVerdict {
-        self.propagate_to(w, length_s);
-        let motion = self.motion_after(w, 0, length_s);
-        // The level bounds the length from above: its split into slow and fast blocks is valid.
-        let step = self.step_of(w, 0, level, length_s, motion, self.drive_after(0, length_s));
-        let verdict = self.judge_flight(0, &step, motion[0]);
-        if let FlightVerdict::Clear = verdict {
-            self.advance_state(w, length_s, end_s);
-            self.set_motion(0, motion);
-        }
-        verdict
-    }
-
-    /// Returns the certificate data of a step that ends in `next` with `motion` of a port there;
-    /// `drive` is the contribution of the drives.
-    #[inline(always)]
-    pub(super) fn step_of<W: Simd>(
-        &self,
-        w: W,
-        p: usize,
-        level: i32,
-        length_s: f64,
-        motion: [f64; 2],
-        drive: [f64; 2],
-    ) -> FlightStep {
-        self.step_from(w, (p, &self.y), level, length_s, motion, drive)
+        drive
     }
 
     /// Returns the certificate data of a step from a given start state, which may differ from the

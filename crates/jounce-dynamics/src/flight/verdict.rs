@@ -2,9 +2,13 @@
 
 use super::certificate::FlightStep;
 use super::crossing::Crossing;
+use crate::flow::state::dot_of_magnitudes;
 use crate::impact::acceleration::RESOLVED_ROUNDOFFS;
 use crate::integrator::Integrator;
+use crate::ports::small_list::SmallList;
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
+use jounce_simd::Simd;
+use smallvec::smallvec;
 
 /// Certificate uncertainty, relative to the motion, below which the interpolant decides on a step
 /// that is neither clear nor a proved crossing. A contact missed in it is shallower than this
@@ -19,14 +23,65 @@ pub(crate) enum FlightVerdict {
     Unclear(i32),
 }
 
-impl Integrator<'_> {
+/// Outcome of a step for all ports.
+pub(crate) enum StepOutcome {
+    /// Free of contact.
+    Clear,
+    /// Each of these ports has a crossing, proved or assumed.
+    Strikes(SmallList<(usize, Crossing)>),
+    /// Levels to decrease before the next attempt.
+    Unclear(i32),
+}
+
+impl StepOutcome {
+    /// Adds the verdict on one more port.
     #[inline(always)]
-    pub(crate) fn judge_flight(
+    pub(crate) fn add(&mut self, p: usize, verdict: FlightVerdict) {
+        match (&mut *self, verdict) {
+            (_, FlightVerdict::Clear) => {}
+            (StepOutcome::Unclear(a), FlightVerdict::Unclear(b)) => *a = b.max(*a),
+            (StepOutcome::Unclear(_), FlightVerdict::Strike(_)) => {}
+            (_, FlightVerdict::Unclear(down)) => *self = StepOutcome::Unclear(down),
+            (StepOutcome::Clear, FlightVerdict::Strike(crossing)) => {
+                *self = StepOutcome::Strikes(smallvec![(p, crossing)]);
+            }
+            (StepOutcome::Strikes(strikes), FlightVerdict::Strike(crossing)) => {
+                strikes.push((p, crossing));
+            }
+        }
+    }
+}
+
+impl Integrator<'_> {
+    /// Judges the flight of one port, which the forces of others move by `forced_m`. Distances
+    /// below the roundoff of its displacement cannot be resolved: two bodies that touch far from the
+    /// origin have neither gap nor relative motion as a scale.
+    #[inline(always)]
+    pub(crate) fn judge_with_others<W: Simd>(
         &self,
+        w: W,
         p: usize,
         step: &FlightStep,
         displacement_m: f64,
+        forced_m: f64,
     ) -> FlightVerdict {
+        let roundoff_m = || RESOLVED_UNCERTAINTY * self.terms_m(w, p).max(forced_m);
+        match self.judge_flight(p, step, displacement_m) {
+            FlightVerdict::Unclear(_) if step.uncertainty_m() <= roundoff_m() => {
+                by_interpolant(step, self.leaves_from_rest(p))
+            }
+            verdict => verdict,
+        }
+    }
+
+    /// Returns the sum of the magnitudes of the terms of a displacement, m.
+    #[inline(always)]
+    pub(crate) fn terms_m<W: Simd>(&self, w: W, p: usize) -> f64 {
+        dot_of_magnitudes(w, &self.ports[p].rows.displacement, &self.y)
+    }
+
+    #[inline(always)]
+    fn judge_flight(&self, p: usize, step: &FlightStep, displacement_m: f64) -> FlightVerdict {
         if step.is_clear() || self.touches_within_roundoff(p, step) {
             return FlightVerdict::Clear;
         }

@@ -88,13 +88,19 @@ impl Integrator<'_> {
         motion
     }
 
-    /// Advances to the state in `next`; the ports are not updated.
+    /// Ends a flight of any length in the state in `next`; the ports are not updated.
     #[inline(always)]
     pub(crate) fn advance_state<W: Simd>(&mut self, w: W, length_s: f64, end_s: f64) {
         self.note(length_s, &[]);
+        self.tones.iter_mut().for_each(|tone| tone.set(end_s));
+        self.enter_next(w, length_s, end_s);
+    }
+
+    /// Enters the state in `next` at the end of a step; tones and ports are not updated.
+    #[inline(always)]
+    pub(crate) fn enter_next<W: Simd>(&mut self, w: W, length_s: f64, end_s: f64) {
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s = end_s;
-        self.tones.iter_mut().for_each(|tone| tone.set(end_s));
         self.excitation
             .pass(w, self.kernel, length_s, end_s, (&self.next, &mut self.y));
     }

@@ -4,7 +4,7 @@ use crate::flow::state::dot;
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
 use crate::ports::phasor::Phasor;
-use crate::ports::state::PortState;
+use crate::ports::state::{PortState, RigidRows};
 use jounce_linalg::c64;
 use jounce_simd::{F64x8, Portable};
 
@@ -35,8 +35,7 @@ impl Integrator<'_> {
 
     /// Returns the magnitude below which the acceleration towards the stop is roundoff, m/s^2.
     pub(crate) fn acceleration_roundoff_m_s2(&self, p: usize) -> f64 {
-        let row = self.layout.pack(&self.kernel.acceleration_row(p));
-        let free = self.terms_of(&row);
+        let free = self.terms_of(&self.rigid_rows(p).acceleration);
         let size =
             |tone: &Phasor| tone.displacement_m[p].norm() * tone.angular_frequency_rad_s.powi(2);
         ACCELERATION_ROUNDOFF
@@ -47,14 +46,6 @@ impl Integrator<'_> {
 
     /// Returns the rate of the acceleration towards the stop without contact force, m/s^3.
     fn jerk_m_s3(&self, p: usize) -> f64 {
-        let row = self.layout.pack(
-            &self
-                .kernel
-                .plant
-                .diagonal
-                .block
-                .rate_row(&self.kernel.acceleration_row(p)),
-        );
         let of = |tone: &Phasor| {
             let w = tone.angular_frequency_rad_s;
             acceleration(tone.displacement_m[p] * tone.turn * c64::new(0.0, w), w)
@@ -64,12 +55,12 @@ impl Integrator<'_> {
         let forced = (self.excitation.acceleration_after(p, after_s)
             - self.excitation.acceleration_after(p, 0.0))
             / after_s;
-        dot(Portable::new(), &row, &self.y) + self.tones.iter().map(of).sum::<f64>() + forced
+        let free = dot(Portable::new(), &self.rigid_rows(p).jerk, &self.y);
+        free + self.tones.iter().map(of).sum::<f64>() + forced
     }
 
     /// Returns the relative acceleration towards the stop without contact force, m/s^2.
     pub(crate) fn acceleration_m_s2(&self, p: usize) -> f64 {
-        let row = self.layout.pack(&self.kernel.acceleration_row(p));
         let drive: f64 = self
             .tones
             .iter()
@@ -80,7 +71,13 @@ impl Integrator<'_> {
                 )
             })
             .sum();
-        dot(Portable::new(), &row, &self.y) + drive + self.excitation.acceleration_after(p, 0.0)
+        let free = dot(Portable::new(), &self.rigid_rows(p).acceleration, &self.y);
+        free + drive + self.excitation.acceleration_after(p, 0.0)
+    }
+
+    /// Returns the rows and columns of a port for impacts and sticking.
+    fn rigid_rows(&self, p: usize) -> &RigidRows {
+        self.ports[p].rows.rigid(self.kernel, p)
     }
 
     /// Returns the scale for speed errors of a sticking port: the largest impact speed, or the

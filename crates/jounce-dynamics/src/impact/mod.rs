@@ -2,5 +2,4 @@
 
 pub(crate) mod acceleration;
 mod rigid;
-mod sticking;
 pub(crate) mod zeno_guard;

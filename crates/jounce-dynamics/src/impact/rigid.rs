@@ -13,13 +13,12 @@
 //! collocated at the nodes of a step as for compliant stops; the point leaves when the force would
 //! have to pull.
 
-use super::zeno_guard::ZenoGuard;
-use crate::error::IntegrationError;
 use crate::flow::state::dot;
 use crate::integrator::Integrator;
 use crate::ports::state::ContactState;
 use jounce_model::contact::Rigid;
-use jounce_simd::{F64x8, Portable, Simd};
+use jounce_simd::{F64x8, Portable};
+use std::sync::Arc;
 
 /// Height of a hop, in units of the roundoff of the distance, below which its end cannot be
 /// resolved.
@@ -36,28 +35,6 @@ const FAST_HOP_SPEED: f64 = 1e-3;
 const CHATTER_SPEED: f64 = 1e-2;
 
 impl Integrator<'_> {
-    /// Alternates flight, impacts and sticking until the end.
-    #[inline(always)]
-    pub(crate) fn advance_rigid<W: Simd>(
-        &mut self,
-        w: W,
-        law: Rigid,
-        end_s: f64,
-    ) -> Result<(), IntegrationError> {
-        let mut rounds = ZenoGuard::default();
-        while self.time_s < end_s {
-            self.poll()?;
-            rounds.count(&self.kernel.plant, self.time_s)?;
-            let until_s = self.next_breakpoint(w, end_s);
-            match self.ports[0].contact_state {
-                ContactState::Flight => self.flight(w, until_s)?,
-                ContactState::Contact if self.ports[0].rate_m_s > 0.0 => self.impact(0, law),
-                ContactState::Contact => self.stick(until_s)?,
-            }
-        }
-        Ok(())
-    }
-
     /// Applies one impact; it ends in flight, or in sticking where chatter has ended.
     pub(crate) fn impact(&mut self, p: usize, law: Rigid) {
         let (before, mobility, rebound) = (
@@ -123,11 +100,12 @@ impl Integrator<'_> {
             record.push_impact(p, impulse_n_s);
         }
         let kernel = self.kernel;
-        let column = self.layout.pack(&kernel.plant.ports[p].force);
+        let rows = Arc::clone(&self.ports[p].rows);
+        let column = &rows.rigid(kernel, p).force;
         let middle: Vec<F64x8> = self
             .y
             .iter()
-            .zip(&column)
+            .zip(column)
             .map(|(y, b)| y.add_scaled(0.5 * impulse_n_s, b))
             .collect();
         // For the meters, the integral over an instantaneous force is the force times the mean of
@@ -158,7 +136,7 @@ impl Integrator<'_> {
         self.ports[p].statistics.impulse_n_s += impulse_n_s;
         self.y
             .iter_mut()
-            .zip(&column)
+            .zip(column)
             .for_each(|(y, b)| *y = y.add_scaled(impulse_n_s, b));
     }
 }

@@ -1,10 +1,10 @@
-//! Advance of an integration to a given time: flights and contacts alternate.
+//! Advance of an integration to a given time: impacts, contacts and flights alternate, with any number of ports.
 
 use super::Integrator;
 use crate::error::IntegrationError;
-use crate::multi_port::AdvanceMultiPort;
+use crate::impact::zeno_guard::ZenoGuard;
 use crate::ports::state::ContactState;
-use jounce_model::contact::{ContactLaw, Hertz, Law, Rigid};
+use jounce_model::contact::Law;
 use jounce_simd::{Simd, Task, widest};
 
 /// Polls of the control between two callbacks.
@@ -30,30 +30,10 @@ impl Integrator<'_> {
 
     /// Integrates until the end, or until an event function passes zero.
     fn advance_in_conduction_state(&mut self, end_s: f64) -> Result<(), IntegrationError> {
-        if self.kernel.plant.ports.len() > 1 || !self.kernel.plant.guards.is_empty() {
-            return widest(AdvanceMultiPort {
-                integrator: self,
-                end_s,
-            });
-        }
-        let law = self.kernel.plant.system.stops.first().map(|stop| stop.law);
-        match law {
-            // A law without stiffness exerts no force.
-            None => self.dispatch(
-                Hertz {
-                    stiffness: 0.0,
-                    exponent: 1.0,
-                },
-                end_s,
-            ),
-            Some(Law::Hertz(law)) => self.dispatch(law, end_s),
-            Some(Law::Rigid(law)) => widest(AdvanceRigid {
-                integrator: self,
-                law,
-                end_s,
-            }),
-            Some(law) => self.dispatch(law, end_s),
-        }
+        widest(Advance {
+            integrator: self,
+            end_s,
+        })
     }
 
     /// Passes the breakpoints of the signals up to the current time; returns the next one, or the
@@ -107,58 +87,39 @@ impl Integrator<'_> {
             Ok(())
         }
     }
-
-    fn dispatch<L: ContactLaw>(&mut self, law: L, end_s: f64) -> Result<(), IntegrationError> {
-        widest(Advance {
-            integrator: self,
-            law,
-            end_s,
-        })
-    }
 }
 
 /// Runs the loop in code compiled for the vector instructions of this machine.
-struct Advance<'m, 'k, L> {
+struct Advance<'m, 'k> {
     integrator: &'m mut Integrator<'k>,
-    law: L,
     end_s: f64,
 }
 
-impl<L: ContactLaw> Task for Advance<'_, '_, L> {
+impl Task for Advance<'_, '_> {
     type Output = Result<(), IntegrationError>;
 
-    /// Alternates flight and contact until the end.
+    /// Alternates impacts, contact and flight until the end.
     #[inline(always)]
     fn run<W: Simd>(self, w: W) -> Self::Output {
-        let Advance {
-            integrator,
-            law,
-            end_s,
-        } = self;
-        while integrator.time_s < end_s {
+        let Advance { integrator, end_s } = self;
+        let mut rounds = ZenoGuard::default();
+        while integrator.time_s < end_s && integrator.switching.pending_event.is_none() {
             integrator.poll()?;
+            rounds.count(&integrator.kernel.plant, integrator.time_s)?;
             let until_s = integrator.next_breakpoint(w, end_s);
-            match integrator.ports[0].contact_state {
-                ContactState::Flight => integrator.flight(w, until_s)?,
-                ContactState::Contact => integrator.contact(w, law, until_s)?,
+            if integrator.hits_rigid_stop() {
+                w.out_of_line(
+                    #[inline(always)]
+                    || integrator.collide(w),
+                )?;
+                // An impact that inverts the current of a patch is an extremum of its charge.
+                integrator.switching.pending_event = integrator.crossed_event();
+            } else if integrator.ports_in(ContactState::Contact).next().is_some() {
+                integrator.contact(w, until_s, &mut rounds)?;
+            } else {
+                integrator.fly(w, until_s)?;
             }
         }
         Ok(())
-    }
-}
-
-/// Runs the loop of a rigid stop.
-struct AdvanceRigid<'m, 'k> {
-    integrator: &'m mut Integrator<'k>,
-    law: Rigid,
-    end_s: f64,
-}
-
-impl Task for AdvanceRigid<'_, '_> {
-    type Output = Result<(), IntegrationError>;
-
-    #[inline(always)]
-    fn run<W: Simd>(self, w: W) -> Self::Output {
-        self.integrator.advance_rigid(w, self.law, self.end_s)
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! Between contacts the flow is exact, and the certificate limits the step length. In contact the
 //! scalar force on a step is a polynomial through seven Gauss nodes, found by fixed-point
-//! iteration. The loop alternates the two. [`crate::multi_port`] integrates several ports.
+//! iteration. The loop alternates the two, and impacts on rigid stops. It is one for any number of
+//! ports (see [`crate::multi_port`]).
 
 mod advance;
 mod full_state;
@@ -157,19 +158,27 @@ impl Integrator<'_> {
     }
 
     /// Records the next step.
+    #[inline(always)]
     pub(crate) fn note(&mut self, length_s: f64, forces: &[PortForce]) {
+        if self.record.is_some() {
+            self.record_segment(length_s, forces);
+        }
+    }
+
+    fn record_segment(&mut self, length_s: f64, forces: &[PortForce]) {
+        let conduction_state = self.switching.conduction_state;
+        let mut state = smallvec![0.0; self.layout.states()];
+        self.layout.unpack_into(&self.y, &mut state);
+        let segment = TrajectorySegment {
+            start_s: self.time_s,
+            length_s,
+            state,
+            sizes: self.excitation.sizes.as_slice().into(),
+            forces: forces.into(),
+            conduction_state,
+        };
         if let Some(record) = &mut self.record {
-            let conduction_state = self.switching.conduction_state;
-            let mut state = smallvec![0.0; self.layout.states()];
-            self.layout.unpack_into(&self.y, &mut state);
-            record.push(TrajectorySegment {
-                start_s: self.time_s,
-                length_s,
-                state,
-                sizes: self.excitation.sizes.as_slice().into(),
-                forces: forces.into(),
-                conduction_state,
-            });
+            record.push(segment);
         }
     }
 

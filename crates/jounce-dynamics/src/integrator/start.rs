@@ -161,9 +161,13 @@ impl<'k> Integrator<'k> {
     }
 }
 
-/// Returns the level of the first flight.
+/// Returns the level of the first flight; without ports nothing limits its steps.
 fn flight_level(kernel: &Kernel) -> i32 {
-    Kernel::level_within(1.0 / kernel.fastest_rad_s)
+    if kernel.plant.ports.is_empty() {
+        Kernel::coarsest()
+    } else {
+        Kernel::level_within(1.0 / kernel.fastest_rad_s)
+    }
 }
 
 /// Returns the level of the first step of the first contact.

@@ -115,7 +115,7 @@ impl Integrator<'_> {
     /// True when a port in flight cannot touch within a time, under an impulse of another port; the
     /// port is not updated.
     #[inline(always)]
-    pub(super) fn stays_clear<W: Simd>(
+    pub(crate) fn stays_clear<W: Simd>(
         &mut self,
         w: W,
         q: usize,
@@ -154,7 +154,7 @@ impl Integrator<'_> {
 
     /// Updates a port that has not been updated.
     #[inline(always)]
-    pub(super) fn update_free_port<W: Simd>(&mut self, w: W, q: usize) {
+    pub(crate) fn update_free_port<W: Simd>(&mut self, w: W, q: usize) {
         if std::mem::take(&mut self.ports[q].clearance.is_unseen) {
             self.update_port(w, q);
         }

@@ -1,16 +1,14 @@
 //! Acceptance of a joint step: state, statistics, energies, record.
 
-use super::free_ports::nodal;
+use crate::contact::nodal;
 use crate::contact::step::{ContactStep, SolvedStep};
 use crate::flow::state::add_force_response;
 use crate::force_response::basis::NODES;
 use crate::integrator::Integrator;
-use crate::kernel::Kernel;
 use crate::ports::small_list::SmallList;
 use crate::ports::state::ContactState;
 use crate::record::trajectory::PortForce;
 use crate::tables::joint::{JointTables, StepLength};
-use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_model::contact::Law;
 use jounce_simd::{F64x8, Simd};
 
@@ -28,60 +26,36 @@ impl Integrator<'_> {
     ) {
         w.out_of_line(
             #[inline(always)]
-            || self.accept_steps(w, length, steps, solved, tables),
+            || {
+                let forces: SmallList<F64x8> = solved
+                    .iter()
+                    .map(|solution| nodal(&solution.force))
+                    .collect();
+                if self.record.is_some() {
+                    let noted: SmallList<PortForce> = steps
+                        .iter()
+                        .zip(&forces)
+                        .map(|(step, force)| PortForce::new(step, force))
+                        .collect();
+                    self.note(length.seconds(), &noted);
+                }
+                for (step, force) in steps.iter().zip(&forces) {
+                    self.apply_force(w, step, force);
+                }
+                if let Some(tables) = tables {
+                    self.integrate_crossed(w, tables, &forces);
+                }
+                self.end_contact_step(w, &steps[0]);
+                for p in 0..self.kernel.plant.ports.len() {
+                    if self.ports[p].contact_state == ContactState::Flight
+                        && !self.ports[p].clearance.is_unseen
+                    {
+                        self.update_port(w, p);
+                    }
+                }
+                self.update_ports_in_contact(w, length.level, steps, solved);
+            },
         );
-    }
-
-    #[inline(always)]
-    fn accept_steps<W: Simd>(
-        &mut self,
-        w: W,
-        length: StepLength,
-        steps: &[ContactStep],
-        solved: &[SolvedStep],
-        tables: Option<&JointTables>,
-    ) {
-        let forces: SmallList<F64x8> = solved
-            .iter()
-            .map(|solution| nodal(&solution.force))
-            .collect();
-        if self.record.is_some() {
-            let noted: Vec<PortForce> = steps
-                .iter()
-                .zip(&forces)
-                .map(|(step, force)| PortForce::new(step, force))
-                .collect();
-            self.note(length.seconds(), &noted);
-        }
-        for (step, force) in steps.iter().zip(&forces) {
-            self.push_on(w, step, force);
-            self.integrate_force(w, step, force);
-        }
-        if let Some(tables) = tables {
-            self.integrate_crossed(w, tables, &forces);
-        }
-        std::mem::swap(&mut self.y, &mut self.next);
-        self.time_s += length.seconds();
-        self.excitation.pass(
-            w,
-            self.kernel,
-            length.seconds(),
-            self.time_s,
-            (&self.next, &mut self.y),
-        );
-        let first = steps[0].port;
-        for tone in &mut self.tones {
-            tone.turn *= tone.samples[first].end();
-        }
-        for p in 0..self.kernel.plant.ports.len() {
-            if self.ports[p].contact_state == ContactState::Flight
-                && !self.ports[p].clearance.is_unseen
-            {
-                self.update_port(w, p);
-            }
-        }
-        self.update_ports_in_contact(w, length.level, steps, solved);
-        self.work.contact_steps += 1;
     }
 
     /// Sets every port in contact to the end of the step.
@@ -100,7 +74,7 @@ impl Integrator<'_> {
                 self.update_port(w, p);
                 self.observe_rest(p, step.table.length_s, &solution.force);
                 self.reset_onto_stop(p);
-                self.ports[p].level = (level - LEVELS_PER_OCTAVE).max(Kernel::coarsest());
+                self.ports[p].level = self.next_level_sticking(level, step, solution, allowed);
                 continue;
             }
             self.update_port_in_contact(w, self.law(p), step, solution);

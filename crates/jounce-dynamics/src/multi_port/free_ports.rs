@@ -1,11 +1,11 @@
 //! Ports in flight during the contact of others.
 
-use super::flight::StepOutcome;
 use super::joint_solve::JointStep;
+use crate::contact::nodal;
 use crate::contact::step::{ContactStep, SolvedStep};
 use crate::flight::crossing::Crossing;
 use crate::flight::forced::{ForcedFlight, rest_bounds};
-use crate::flight::verdict::FlightVerdict;
+use crate::flight::verdict::{FlightVerdict, StepOutcome};
 use crate::flow::state::{add_force_response, dot};
 use crate::force_response::basis::NODES;
 use crate::integrator::Integrator;
@@ -59,7 +59,7 @@ impl Integrator<'_> {
         let mut outcome = StepOutcome::Clear;
         for p in 0..self.kernel.plant.ports.len() {
             if self.ports[p].contact_state == ContactState::Flight {
-                outcome = outcome.and(p, self.check_free_port(w, length, steps, &forces, p));
+                outcome.add(p, self.check_free_port(w, length, steps, &forces, p));
             }
         }
         outcome
@@ -176,12 +176,4 @@ impl Integrator<'_> {
         }
         drive
     }
-}
-
-/// Returns the nodal forces with 0 in the lane of the end of the step.
-#[inline(always)]
-pub fn nodal(force: &F64x8) -> F64x8 {
-    let mut force = *force;
-    force.0[NODES] = 0.0;
-    force
 }

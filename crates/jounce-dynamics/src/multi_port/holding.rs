@@ -44,9 +44,6 @@ impl Integrator<'_> {
     /// Returns the acceleration of a port towards its stop under the forces of all other stops,
     /// m/s^2.
     pub(crate) fn pressing_acceleration_m_s2(&self, p: usize) -> f64 {
-        if self.kernel.plant.ports.len() == 1 {
-            return self.acceleration_m_s2(p);
-        }
         let mut resting = self.sticking_ports();
         resting.retain(|q| *q != p);
         // Where two of them constrain the same motion, the next step is refused.

@@ -1,6 +1,6 @@
-//! Impacts on rigid stops of a plant with several ports.
+//! Impacts on rigid stops at one instant.
 //!
-//! An impact is one impulse (see [`crate::rigid`]), which moves the other ports too.
+//! An impact is one impulse (see [`crate::impact`]), which moves the other ports too.
 //! Simultaneous impacts have joint impulses (see [`super::joint_impact`]). Further impacts, on a
 //! sticking stop or again on the same one, follow until no touching point moves into its stop.
 //! Where Newton's law has no joint solution, the impacts follow one after another in the order of
@@ -9,9 +9,11 @@
 
 use crate::error::IntegrationError;
 use crate::integrator::Integrator;
+use crate::ports::small_list::SmallList;
 use crate::ports::state::ContactState;
 use jounce_model::contact::Law;
 use jounce_simd::Simd;
+use smallvec::smallvec;
 
 /// Speed into a stop that is roundoff, relative to the largest impact speed and to its terms.
 const NEGLIGIBLE_SPEED: f64 = 1e-14;
@@ -21,13 +23,14 @@ const MAX_IMPACTS_PER_INSTANT: usize = 10_000;
 
 impl Integrator<'_> {
     /// True where a touching point moves into a rigid stop.
-    pub(super) fn hits_rigid_stop(&self) -> bool {
+    pub(crate) fn hits_rigid_stop(&self) -> bool {
         self.ports_in(ContactState::Contact)
             .any(|p| self.is_rigid(p) && self.moves_in(p))
     }
 
     fn moves_in(&self, p: usize) -> bool {
-        self.ports[p].rate_m_s > self.rest_speed_m_s(p)
+        let rate_m_s = self.ports[p].rate_m_s;
+        rate_m_s > 0.0 && rate_m_s > self.rest_speed_m_s(p)
     }
 
     fn rest_speed_m_s(&self, p: usize) -> f64 {
@@ -39,13 +42,13 @@ impl Integrator<'_> {
     /// # Errors
     /// [`IntegrationError::ImpactsWithoutEnd`].
     #[inline(always)]
-    pub(super) fn collide<W: Simd>(&mut self, w: W) -> Result<(), IntegrationError> {
-        let touching: Vec<usize> = self
+    pub(crate) fn collide<W: Simd>(&mut self, w: W) -> Result<(), IntegrationError> {
+        let touching: SmallList<usize> = self
             .ports_in(ContactState::Contact)
             .filter(|p| self.is_rigid(*p))
             .collect();
         for _ in 0..MAX_IMPACTS_PER_INSTANT {
-            let impacting: Vec<usize> = touching
+            let impacting: SmallList<usize> = touching
                 .iter()
                 .copied()
                 .filter(|p| self.moves_in(*p))
@@ -77,11 +80,11 @@ impl Integrator<'_> {
     }
 
     /// Applies an impact on one stop; returns the affected ports.
-    fn single_impact(&mut self, p: usize) -> Vec<usize> {
+    fn single_impact(&mut self, p: usize) -> SmallList<usize> {
         if let Law::Rigid(law) = self.law(p) {
             self.impact(p, law);
         }
-        vec![p]
+        smallvec![p]
     }
 
     /// Sets points that leave to flight, and the others to sticking.

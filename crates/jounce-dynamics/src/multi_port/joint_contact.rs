@@ -1,12 +1,12 @@
 //! Integration through contacts of several ports: choice and acceptance of the steps.
 
 use super::RESOLVED_DISTANCE;
-use super::flight::StepOutcome;
 use super::sticking::StickingPorts;
 use crate::contact::share;
 use crate::contact::step::{ContactStep, SolvedStep};
 use crate::error::IntegrationError;
 use crate::flight::crossing::Crossing;
+use crate::flight::verdict::StepOutcome;
 use crate::impact::zeno_guard::ZenoGuard;
 use crate::integrator::Integrator;
 use crate::kernel::{ForceBasis, Kernel};
@@ -27,7 +27,7 @@ const LANDING_TOLERANCE: f64 = 1e-14;
 impl Integrator<'_> {
     /// Integrates until all ports fly, a rigid stop has an impact, or the end is reached.
     #[inline(always)]
-    pub(super) fn integrate_joint_contact<W: Simd>(
+    pub(crate) fn contact<W: Simd>(
         &mut self,
         w: W,
         end_s: f64,
@@ -41,14 +41,13 @@ impl Integrator<'_> {
         {
             self.poll()?;
             rounds.count(&self.kernel.plant, self.time_s)?;
-            self.release()?;
-            let ports = self.ports_with_bases();
-            if let [(p, _)] = ports.as_slice()
-                && !self.is_rigid(*p)
-                && self.stay_single_port(w, *p, end_s)?
+            if let Some(p) = self.single_compliant_port()
+                && self.stay_single_port(w, p, end_s)?
             {
                 continue;
             }
+            self.release()?;
+            let ports = self.ports_with_bases();
             let Some(mut level) = ports.iter().map(|(p, _)| self.ports[*p].level).max() else {
                 return Ok(());
             };
@@ -91,6 +90,13 @@ impl Integrator<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Returns the only port in contact, if its stop is compliant.
+    fn single_compliant_port(&self) -> Option<usize> {
+        let mut ports = self.ports_in(ContactState::Contact);
+        let first = ports.next()?;
+        (ports.next().is_none() && !self.is_rigid(first)).then_some(first)
     }
 
     /// Returns the ports in contact, each with the basis of its next step.

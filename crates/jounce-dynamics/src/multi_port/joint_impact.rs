@@ -16,6 +16,7 @@
 
 use super::holding::MIN_RELATIVE_MOBILITY;
 use crate::integrator::Integrator;
+use crate::ports::small_list::SmallList;
 use jounce_linalg::Mat;
 use jounce_model::contact::Law;
 
@@ -92,7 +93,7 @@ impl JointImpact {
 impl Integrator<'_> {
     /// Applies simultaneous impacts; returns the ports with an impulse, or `None` for fewer than
     /// two stops, and without a solution.
-    pub(super) fn joint_impact(&mut self, impacting: &[usize]) -> Option<Vec<usize>> {
+    pub(super) fn joint_impact(&mut self, impacting: &[usize]) -> Option<SmallList<usize>> {
         if !(2..=MAX_SIMULTANEOUS_IMPACTS).contains(&impacting.len()) {
             return None;
         }

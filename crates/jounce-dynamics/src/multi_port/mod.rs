@@ -1,9 +1,8 @@
-//! Integration with several ports.
+//! Contact of any number of ports, and impacts on their stops.
 //!
 //! Each port is in flight or in contact. The ports act on each other only through the plant.
 //!
-//! - *All in flight*: one exact flow, one certificate per port. The step is accepted when it is
-//!   clear for all ports; the port with the first proved crossing has the impact.
+//! - *All in flight*: see [`crate::flight`].
 //! - *Some in contact*: one step for all of these, each with its own basis, with a common solution
 //!   for the nodal forces. With the Duhamel weights `D_pq` of the displacement of port `p` under
 //!   the force of port `q`,
@@ -16,8 +15,8 @@
 //!   ports in flight; the forces add a known cubic and a bounded remainder (see
 //!   [`crate::flight::forced`]). Where this proves neither flight nor a first crossing, the step is
 //!   shortened, down to a length on which the remainder is below the resolution of the certificate.
-//!   A single compliant port in contact is solved as in [`crate::contact::step`]; the others are
-//!   monitored.
+//!   A single compliant port in contact is solved as in [`crate::contact::step`] (see
+//!   [`single_contact`]); the others, if there are any, are monitored.
 //! - *A port too far off* for an impact within a step is not monitored (see [`clearance`]).
 //! - *An impact during a contact* ends the step there, by Newton on its length, so that the new
 //!   contact starts on its own onset.
@@ -25,7 +24,6 @@
 
 mod clearance;
 mod commit;
-mod flight;
 mod free_ports;
 mod holding;
 mod impacts;
@@ -40,14 +38,12 @@ pub(super) use clearance::{Clearance, SpeedBound};
 
 use crate::contact::IMPULSE_ERROR_SHARE;
 use crate::contact::step::{ContactStep, SolvedStep};
-use crate::error::IntegrationError;
 use crate::impact::acceleration::RESOLVED_ROUNDOFFS;
-use crate::impact::zeno_guard::ZenoGuard;
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
 use crate::ports::state::{ContactState, PortState};
 use jounce_model::contact::Law;
-use jounce_simd::{Simd, Task};
+use jounce_simd::Simd;
 
 /// Fraction of the first step of a contact that counts as simultaneous: a port that would have its
 /// impact within it has it now.
@@ -56,46 +52,9 @@ const SIMULTANEOUS_CONTACT: f64 = 1e-13;
 /// Distance, relative to its terms, below which it is roundoff.
 const RESOLVED_DISTANCE: f64 = RESOLVED_ROUNDOFFS * f64::EPSILON;
 
-/// Runs the loop in code compiled for the vector instructions of this machine.
-pub struct AdvanceMultiPort<'m, 'k> {
-    /// Integrator.
-    pub integrator: &'m mut Integrator<'k>,
-    /// End, s.
-    pub end_s: f64,
-}
-
-impl Task for AdvanceMultiPort<'_, '_> {
-    type Output = Result<(), IntegrationError>;
-
-    /// Alternates impacts, flight and contact until the end.
-    #[inline(always)]
-    fn run<W: Simd>(self, w: W) -> Self::Output {
-        let AdvanceMultiPort { integrator, end_s } = self;
-        let mut rounds = ZenoGuard::default();
-        while integrator.time_s < end_s && integrator.switching.pending_event.is_none() {
-            integrator.poll()?;
-            rounds.count(&integrator.kernel.plant, integrator.time_s)?;
-            let until_s = integrator.next_breakpoint(w, end_s);
-            if integrator.hits_rigid_stop() {
-                w.out_of_line(
-                    #[inline(always)]
-                    || integrator.collide(w),
-                )?;
-                // An impact that inverts the current of a patch is an extremum of its charge.
-                integrator.switching.pending_event = integrator.crossed_event();
-            } else if integrator.ports_in(ContactState::Contact).next().is_some() {
-                integrator.integrate_joint_contact(w, until_s, &mut rounds)?;
-            } else {
-                integrator.fly(w, until_s)?;
-            }
-        }
-        Ok(())
-    }
-}
-
 impl Integrator<'_> {
     /// Iterates over the ports in a contact state, ascending.
-    fn ports_in(&self, contact_state: ContactState) -> impl Iterator<Item = usize> {
+    pub(crate) fn ports_in(&self, contact_state: ContactState) -> impl Iterator<Item = usize> {
         (0..self.kernel.plant.ports.len())
             .filter(move |p| self.ports[*p].contact_state == contact_state)
     }
@@ -106,12 +65,12 @@ impl Integrator<'_> {
         self.kernel.plant.system.stops[p].law
     }
 
-    fn is_rigid(&self, p: usize) -> bool {
+    pub(crate) fn is_rigid(&self, p: usize) -> bool {
         !self.is_guard(p) && matches!(self.law(p), Law::Rigid(_))
     }
 
     /// True for an output that is only monitored.
-    fn is_guard(&self, p: usize) -> bool {
+    pub(crate) fn is_guard(&self, p: usize) -> bool {
         p >= self.kernel.plant.system.stops.len()
     }
 
@@ -141,15 +100,16 @@ impl Integrator<'_> {
     }
 
     /// Puts a port into contact at the current time, with every other one that touches and moves
-    /// in. All ports still in flight are updated, because the step that ended here was cut short.
+    /// in. The motion of the port is up to date; all others in flight are updated, because the step
+    /// that ended here was cut short.
     #[inline(always)]
-    fn join<W: Simd>(&mut self, w: W, p: usize) {
+    pub(crate) fn join<W: Simd>(&mut self, w: W, p: usize) {
         if self.is_guard(p) {
             self.switching.pending_event = Some(p);
             return;
         }
         for q in 0..self.kernel.plant.ports.len() {
-            if self.ports[q].contact_state == ContactState::Flight {
+            if q != p && self.ports[q].contact_state == ContactState::Flight {
                 self.update_port(w, q);
             }
         }
@@ -161,6 +121,9 @@ impl Integrator<'_> {
         }
         self.enter(p);
         for q in 0..self.kernel.plant.system.stops.len() {
+            if self.ports[q].contact_state == ContactState::Contact {
+                continue;
+            }
             // Simultaneous impacts on rigid stops share one instant, within the accuracy of their
             // distances.
             let roundoff_m = if self.is_rigid(q) {
@@ -170,7 +133,7 @@ impl Integrator<'_> {
             };
             let port = &self.ports[q];
             let touches = port.penetration_m.abs() <= self.touch_m(q).max(roundoff_m);
-            if port.contact_state == ContactState::Flight && port.rate_m_s > 0.0 && touches {
+            if port.rate_m_s > 0.0 && touches {
                 self.enter(q);
             }
         }
@@ -179,9 +142,10 @@ impl Integrator<'_> {
     fn enter(&mut self, p: usize) {
         // With a simultaneous impact on another stop, roundoff may release a port that returns
         // immediately: that is one contact.
+        let is_rigid = self.is_rigid(p);
         let window_s = (SIMULTANEOUS_CONTACT * Kernel::length_s(self.ports[p].entry_level))
             .max(RESOLVED_DISTANCE * self.time_s.abs());
-        if self.time_s - self.ports[p].entered_s <= window_s && !self.is_rigid(p) {
+        if self.time_s - self.ports[p].entered_s <= window_s && !is_rigid {
             (self.ports[p].penetration_m, self.ports[p].contact_state) =
                 (0.0, ContactState::Contact);
         } else {
@@ -189,6 +153,6 @@ impl Integrator<'_> {
             self.ports[p].entered_s = self.time_s;
         }
         let port = &mut self.ports[p];
-        (port.level, port.entering) = (port.entry_level, true);
+        (port.level, port.entering) = (port.entry_level, !is_rigid);
     }
 }

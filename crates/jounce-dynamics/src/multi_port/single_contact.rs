@@ -1,12 +1,13 @@
-//! Single compliant port in contact with the others monitored: the most frequent case with several
-//! stops.
+//! Single compliant port in contact with the others monitored: the most frequent case, with one stop
+//! and with several.
 
-use super::flight::StepOutcome;
 use crate::error::IntegrationError;
+use crate::flight::verdict::StepOutcome;
 use crate::integrator::Integrator;
 use crate::kernel::ForceBasis;
 use crate::tables::joint::StepLength;
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
+use jounce_model::contact::Law;
 use jounce_simd::Simd;
 
 impl Integrator<'_> {
@@ -19,17 +20,26 @@ impl Integrator<'_> {
         p: usize,
         end_s: f64,
     ) -> Result<bool, IntegrationError> {
-        let (start_s, port) = (self.time_s, &self.ports[p]);
-        if port.rows.speed_bound.is_none() {
+        let with_others = self.kernel.plant.ports.len() > 1;
+        if with_others && self.ports[p].rows.speed_bound.is_none() {
             return Ok(false);
         }
-        let start = (port.level, port.entering && port.rate_m_s > 0.0);
-        let (level, entering) = w.out_of_line(
-            #[inline(always)]
-            || self.stay(w, self.law(p), (p, true), start, end_s),
-        )?;
-        let port = &mut self.ports[p];
-        (port.level, port.entering) = (level, entering);
+        let start_s = self.time_s;
+        // The only port has code of its own, and once more under the most frequent law.
+        match (self.law(p), with_others) {
+            (Law::Hertz(law), false) => w.out_of_line(
+                #[inline(always)]
+                || self.stay(w, law, (0, false), end_s),
+            ),
+            (law, false) => w.out_of_line(
+                #[inline(always)]
+                || self.stay(w, law, (0, false), end_s),
+            ),
+            (law, true) => w.out_of_line(
+                #[inline(always)]
+                || self.stay(w, law, (p, true), end_s),
+            ),
+        }?;
         Ok(self.time_s > start_s)
     }
 

@@ -11,15 +11,18 @@
 
 use super::joint_solve::{JointStep, PortIterate};
 use crate::contact::IMPULSE_ERROR_SHARE;
-use crate::contact::step::SolvedStep;
+use crate::contact::step::{ContactStep, SolvedStep};
 use crate::flow::state::columns;
 use crate::force_response::basis::{NODES, SMOOTH_BASIS};
 use crate::impact::acceleration::acceleration;
 use crate::integrator::Integrator;
+use crate::kernel::Kernel;
 use crate::tables::contact::StickingTable;
 use crate::tables::joint::JointTables;
+use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_linalg::{Mat, c64};
 use jounce_simd::{F64x8, LANES, Portable, Simd};
+use std::sync::Arc;
 
 /// Largest accepted relative mismatch of a holding force at the end of a step, times the tolerance.
 const HOLDING_FORCE_TOLERANCE: f64 = 1e-2;
@@ -178,28 +181,25 @@ impl StickingPorts {
                     .map(|j| self.responses[a][from][j].0[NODES] * other.force.0[j])
                     .sum::<f64>();
             }
-            let (size, mobility) = (
+            let (port, size, mobility) = (
+                joint.tables.ports[*index].0,
                 integrator.largest(&solved[*index].force),
                 self.mobility[a][*index],
             );
             let length_s = joint.tables.length.seconds();
-            let impulse_roundoff_n_s = integrator.tolerance
-                * IMPULSE_ERROR_SHARE
-                * integrator.speed_m_s(joint.tables.ports[*index].0)
-                / mobility;
             let negligible =
-                size * length_s <= HOLDING_FORCE_TOLERANCE * allowed_n_s.max(impulse_roundoff_n_s);
-            let allowed = (self.allowed * mobility * size)
-                .max(integrator.acceleration_roundoff_m_s2(joint.tables.ports[*index].0));
+                size * length_s <= integrator.negligible_holding_n_s(port, allowed_n_s);
+            let allowed =
+                (self.allowed * mobility * size).max(integrator.acceleration_roundoff_m_s2(port));
             let error_n = allowed / mobility;
             // The last node lies before the end of the step.
             let forces = solved[*index].force.0.iter().chain([&at_end[*index]]);
             let pulls = forces.into_iter().any(|f| *f < -error_n);
             let is_good = mismatch.abs() <= allowed && !pulls;
-            solved[*index].error_n_s = if is_good || negligible {
-                0.0
-            } else {
-                f64::INFINITY
+            solved[*index].error_n_s = match (is_good, negligible) {
+                (true, _) => allowed_n_s * (mismatch.abs() / allowed),
+                (false, true) => 0.0,
+                (false, false) => f64::INFINITY,
             };
             solved[*index].force = F64x8(solved[*index].force.0.map(|force| force.max(0.0)));
         }
@@ -248,5 +248,72 @@ impl Integrator<'_> {
             *free += self.excitation.acceleration_after(port, node * length_s);
         }
         free
+    }
+
+    /// Returns the impulse of a holding force below which its sign does not matter, N s.
+    fn negligible_holding_n_s(&self, p: usize, allowed_n_s: f64) -> f64 {
+        let impulse_roundoff_n_s = self.tolerance * IMPULSE_ERROR_SHARE * self.speed_m_s(p)
+            / self.ports[p].rows.mobility_per_kg;
+        HOLDING_FORCE_TOLERANCE * allowed_n_s.max(impulse_roundoff_n_s)
+    }
+
+    /// Returns the desired level of the step after an accepted one of `level` with a sticking port.
+    pub(super) fn next_level_sticking(
+        &self,
+        level: i32,
+        step: &ContactStep,
+        solved: &SolvedStep,
+        allowed_n_s: f64,
+    ) -> i32 {
+        // The mismatch of a polynomial through seven nodes grows with the seventh power of the
+        // length.
+        let is_spare = solved.error_n_s * 2.0_f64.powi(NODES as i32) <= allowed_n_s;
+        let longer = if is_spare {
+            (level - LEVELS_PER_OCTAVE).max(Kernel::coarsest())
+        } else {
+            level
+        };
+        // The force at the end of the step and its slope predict when the port leaves: a step past
+        // that time is accepted where the force until then is negligible.
+        let by_node = step.basis.at_end.0.iter().zip(&solved.force.0);
+        let end_n: f64 = by_node.map(|(at_end, force)| at_end * force).sum();
+        let fall_n = solved.force.0[NODES - 1] - end_n;
+        let leaving_s = step.last_gap_s() * end_n / fall_n;
+        if !(fall_n > 0.0 && end_n > 0.0 && leaving_s < Kernel::length_s(longer)) {
+            return longer;
+        }
+        let is_last =
+            2.0 * leaving_s * end_n <= self.negligible_holding_n_s(step.port, allowed_n_s);
+        let within_s = if is_last { 2.0 * leaving_s } else { leaving_s };
+        longer.max(Kernel::level_within(within_s))
+    }
+
+    /// Adds a step of sticking to the statistics.
+    pub(crate) fn observe_rest(&mut self, p: usize, length_s: f64, force: &F64x8) {
+        let port = &mut self.ports[p];
+        port.statistics.max_force_n = force
+            .0
+            .iter()
+            .fold(port.statistics.max_force_n, |max, f| max.max(*f));
+        port.statistics.sticking_s += length_s;
+        port.stay(length_s);
+    }
+
+    /// Removes the drift of collocation: the constraint acts on the acceleration, so that position
+    /// and speed drift by roundoff.
+    pub(crate) fn reset_onto_stop(&mut self, p: usize) {
+        let port = &self.ports[p];
+        let [penetration_m, impulse_n_s] = [
+            port.penetration_m,
+            port.rate_m_s / port.rows.mobility_per_kg,
+        ];
+        let rows = Arc::clone(&port.rows);
+        let rows = rows.rigid(self.kernel, p);
+        for ((y, shift), force) in self.y.iter_mut().zip(&rows.shift).zip(&rows.force) {
+            *y = y
+                .add_scaled(penetration_m, shift)
+                .add_scaled(impulse_n_s, force);
+        }
+        self.set_motion(p, [0.0, 0.0]);
     }
 }

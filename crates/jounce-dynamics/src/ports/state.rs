@@ -8,7 +8,7 @@ use crate::record::statistics::ContactStatistics;
 use jounce_model::contact::Law;
 use jounce_model::plant::Plant;
 use jounce_simd::F64x8;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Contact state of a port.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,7 +30,7 @@ pub struct PortState {
     pub contact_state: ContactState,
     /// Motion at the end of the current flight step: distance past the stop, m, and its rate, m/s.
     pub motion_at_end: [f64; 2],
-    /// With several ports: desired level of the next step in contact ...
+    /// Desired level of the next step in contact ...
     pub level: i32,
     /// ... and whether a contact begins with it.
     pub entering: bool,
@@ -40,7 +40,7 @@ pub struct PortState {
     pub entry_level: i32,
     /// Largest impact speed so far, m/s: the scale of contact impulses.
     pub impact_velocity_m_s: f64,
-    /// With several ports: time at which the last contact began, s.
+    /// Time at which the last contact began, s.
     pub entered_s: f64,
     /// Duration of the current contact since it began, or since the last reset, s.
     pub contact_duration_s: f64,
@@ -69,6 +69,21 @@ pub struct PortRows {
     pub tone_scale_m: f64,
     /// Bound on the speed of the port, for use with several ports.
     pub speed_bound: Option<SpeedBound>,
+    /// Rows and columns for a rigid stop, computed at the first use.
+    rigid: OnceLock<RigidRows>,
+}
+
+/// Padded rows and columns of a port for impacts and sticking.
+#[derive(Debug, Clone)]
+pub struct RigidRows {
+    /// Relative acceleration without contact forces.
+    pub acceleration: Vec<F64x8>,
+    /// Its rate.
+    pub jerk: Vec<F64x8>,
+    /// Change of the state by a unit impulse.
+    pub force: Vec<F64x8>,
+    /// Change of the state that moves the port by a unit displacement away from its stop.
+    pub shift: Vec<F64x8>,
 }
 
 impl PortState {
@@ -164,6 +179,33 @@ impl PortRows {
                 .sum(),
             tone_scale_m: tones.iter().map(size).sum(),
             speed_bound: SpeedBound::of(plant, layout, tones, index),
+            rigid: OnceLock::new(),
+        }
+    }
+
+    /// Returns the rows and columns for the rigid stop of a port.
+    pub fn rigid(&self, kernel: &Kernel, index: usize) -> &RigidRows {
+        self.rigid.get_or_init(|| RigidRows::of(kernel, index))
+    }
+}
+
+impl RigidRows {
+    fn of(kernel: &Kernel, index: usize) -> Self {
+        let (plant, layout) = (&kernel.plant, &kernel.layout);
+        let port = &plant.ports[index];
+        let acceleration = kernel.acceleration_row(index);
+        let shape = &plant.system.stops[index].shape;
+        let inverse = &plant.diagonal.from_physical;
+        let moved = |i: usize| -> f64 {
+            let terms = shape.iter().enumerate().map(|(j, s)| inverse[(i, j)] * s);
+            -terms.sum::<f64>() / port.mobility_per_kg
+        };
+        let shift: Vec<f64> = (0..plant.len()).map(moved).collect();
+        Self {
+            jerk: layout.pack(&plant.diagonal.block.rate_row(&acceleration)),
+            acceleration: layout.pack(&acceleration),
+            force: layout.pack(&port.force),
+            shift: layout.pack(&shift),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Sticking on rigid stops while other ports strike and press.
 
-use crate::plants::{distance, from_rest, integrate, kernel, physical, springs};
+use crate::plants::{bench, distance, from_rest, integrate, kernel, physical, springs};
 use jounce_dynamics::{IntegrationError, Integrator};
 use jounce_model::contact::{Hertz, Law, Rigid};
 use jounce_model::plant::{Stop, System};
@@ -252,5 +252,25 @@ fn a_mass_released_from_rest_leaves() {
                 "{restitution}, {tolerance:e}: {residual:e}"
             );
         }
+    }
+}
+
+/// The predicted end of sticking and the mismatch of the last step choose the next one: with one
+/// rigid stop and with two, few steps are rejected.
+#[test]
+fn few_steps_of_sticking_are_rejected() {
+    let law = Law::Rigid(Rigid { restitution: 0.6 });
+    let mut system = bench(50.0, 11.0);
+    system.stops[0].law = law;
+    let one = system.clone();
+    let opposite: Vec<f64> = system.stops[0].shape.iter().map(|s| -s).collect();
+    let gap_m = system.stops[0].gap_m;
+    system.stops.push(stop("opposite", &opposite, gap_m, law));
+    for system in [one, system] {
+        let work = from_rest(&kernel(system), 3.0, 1e-7).work;
+        assert!(
+            work.contact_steps > 1000 && work.contact_rejections < work.contact_steps / 5,
+            "{work:?}"
+        );
     }
 }
