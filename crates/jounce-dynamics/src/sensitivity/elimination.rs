@@ -135,11 +135,12 @@ impl NodeSystem {
 
     #[cold]
     fn exchange_rows(&mut self, (port, node): (usize, usize), (other, pivot): (usize, usize)) {
-        for blocks in self.blocks.chunks_exact_mut(self.ports) {
+        for from in 0..self.ports {
+            let (row, exchanged) = (from * self.ports + port, from * self.ports + other);
             for j in 0..NODES {
-                let upper = blocks[port][j].0[node];
-                blocks[port][j].0[node] = blocks[other][j].0[pivot];
-                blocks[other][j].0[pivot] = upper;
+                let upper = self.blocks[row][j].0[node];
+                self.blocks[row][j].0[node] = self.blocks[exchanged][j].0[pivot];
+                self.blocks[exchanged][j].0[pivot] = upper;
             }
         }
     }
