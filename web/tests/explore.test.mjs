@@ -79,7 +79,7 @@ test("the response shows the amplitude at the stop, by the mouse and for screen 
     await page.locator("#quantity").selectOption("displacement");
     const chart = page.locator("#chart-response");
     assert.match(await chart.getAttribute("aria-label"), /^Amplitude at the stop over/);
-    assert.match(await chart.getAttribute("aria-valuetext"), /^13(\.\d+)? Hz, .*W, Amplitude at the stop [\d.]+ mm, period 1/);
+    assert.match(await chart.getAttribute("aria-valuetext"), /^13(\.\d+)? Hz, .*W, amplitude at the stop [\d.]+ mm, period 1/);
     assert.notEqual(await picture(), power);
     await page.locator("#quantity").selectOption("power");
     assert.doesNotMatch(await chart.getAttribute("aria-valuetext"), /Displacement/);
