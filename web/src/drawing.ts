@@ -90,6 +90,8 @@ export class Drawing {
         }
         this.side.replaceChildren(...[sheets[0], ...plans].map(({ view }) => view));
         this.close.replaceChildren(...sheets.slice(1, 1 + drawn.cells.length).map(({ view }) => view));
+        // A circuit that is wider than the page is complete, with smaller letters.
+        for (const view of this.close.querySelectorAll("svg")) view.style.minWidth &&= `min(${view.style.minWidth}, 100%)`;
         this.close.hidden = drawn.cells.length === 0;
         if (focused instanceof SVGElement && focused.isConnected) focused.focus();
         this.checkRoom();
