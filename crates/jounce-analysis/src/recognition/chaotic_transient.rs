@@ -10,16 +10,20 @@ const EXPONENT_CYCLES: usize = 64;
 
 /// Drive cycles below which a transient is not examined: the derivative of the flow takes about four
 /// times as long as the flow, so that an examination costs at most half of the integration.
-pub const MIN_CYCLES: u32 = 512;
+pub const MIN_TRANSIENT_CYCLES: u32 = 512;
 
 impl ReachedOrbit {
-    /// True for a transient of at least [`MIN_CYCLES`] that has multiplied the error of the
+    /// True for a transient of at least [`MIN_TRANSIENT_CYCLES`] that has multiplied the error of the
     /// integration, `tolerance`, to the size of the motion: its largest Lyapunov exponent is
     /// positive, and so large that the error has grown over the transient by `1 / tolerance`.
     /// Integrations with other errors then end on other attractors. False where the motion has no
     /// derivative, because it sticks to a rigid stop.
     pub fn has_chaotic_transient(&self, kernel: &Kernel, cycle_s: f64, tolerance: f64) -> bool {
-        let Some(state) = self.earlier.as_ref().filter(|_| self.cycles >= MIN_CYCLES) else {
+        let Some(state) = self
+            .earlier
+            .as_ref()
+            .filter(|_| self.cycles >= MIN_TRANSIENT_CYCLES)
+        else {
             return false;
         };
         let cycles = (EXPONENT_CYCLES, cycle_s);

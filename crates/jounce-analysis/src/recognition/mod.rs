@@ -23,7 +23,7 @@ mod weighted_average;
 
 pub use attracting_orbit::AttractingOrbit;
 pub use attractor_kind::AttractorKind;
-pub use chaotic_transient::MIN_CYCLES as MIN_TRANSIENT_CYCLES;
+pub use chaotic_transient::MIN_TRANSIENT_CYCLES;
 pub use lyapunov::{Lyapunov, largest_exponent};
 pub use recognizer::{Recognition, Recognizer};
 pub use settled_orbit::{settled_orbit, settled_orbits};

@@ -1,4 +1,5 @@
-//! Advance of an integration to a given time: impacts, contacts and flights alternate, with any number of ports.
+//! Advance of an integration to a given time: impacts, contacts and flights of any number of ports
+//! alternate.
 
 use super::Integrator;
 use crate::error::IntegrationError;

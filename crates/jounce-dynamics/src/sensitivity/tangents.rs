@@ -112,7 +112,7 @@ impl Tangents {
     ) {
         let (of_u, rest) = push.split_at(layout.pair_lanes);
         let (of_v, of_r) = rest.split_at(layout.pair_lanes);
-        for (lane, group) in self.lanes.chunks_exact_mut(self.states.max(1)).enumerate() {
+        for (lane, group) in self.groups_mut().enumerate() {
             let solutions = system.solution(0, lane);
             let (paired, reals) = group.split_at_mut(2 * layout.pairs);
             let vectors = paired.chunks_mut(2 * LANES).zip(of_u.iter().zip(of_v));
@@ -152,7 +152,7 @@ impl Tangents {
         push: &[[F64x8; NODES]],
         (system, port): (&NodeSystem, usize),
     ) {
-        for (lane, group) in self.lanes.chunks_exact_mut(self.states.max(1)).enumerate() {
+        for (lane, group) in self.groups_mut().enumerate() {
             let solutions = system.solution(port, lane);
             for (state, row) in group.iter_mut().enumerate() {
                 let (at, index) = layout.locate(state);
