@@ -21,7 +21,7 @@ pub(crate) use accept::nodal;
 use jounce_model::contact::ContactLaw;
 use jounce_simd::Simd;
 use step::{ContactStep, SolvedStep};
-use step_size_control::{coarsest, levels_too_long};
+use step_size_control::levels_too_long;
 
 /// Fraction of the tolerance allowed for the impulse error of one step.
 pub(super) const IMPULSE_ERROR_SHARE: f64 = 0.1;
@@ -79,7 +79,7 @@ impl Integrator<'_> {
         let port = &self.ports[p];
         let (mut level, mut entering) = (port.level, port.entering && port.rate_m_s > 0.0);
         let (kernel, both_sides) = (self.kernel, law.acts_on_both_sides());
-        level = level.max(coarsest(law, kernel));
+        level = level.max(self.coarsest(law));
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
         while self.time_s < end_s && self.ports[p].contact_state == ContactState::Contact {

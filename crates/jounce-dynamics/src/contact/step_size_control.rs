@@ -74,9 +74,10 @@ impl Integrator<'_> {
                 solved.error_n_s,
                 PLANNED_ERROR_SHARE * share(step.shape) * allowed,
             );
+        let coarsest = self.coarsest(law);
         if starts_next {
             let port = &mut self.ports[step.port];
-            port.entry_level = longer.min(port.entry_level).max(coarsest(law, self.kernel));
+            port.entry_level = longer.min(port.entry_level).max(coarsest);
         }
         // The error of the onset basis does not predict the next step.
         let level = if step.shape == ForceBasis::Onset {
@@ -89,7 +90,19 @@ impl Integrator<'_> {
         } else {
             self.before_leaving(level, step, solved, allowed)
         };
-        level.max(coarsest(law, self.kernel))
+        level.max(coarsest)
+    }
+
+    /// Returns the coarsest level of a contact step. Where the law acts at all times, no flight
+    /// propagates the fast modes exactly. For the derivative of the motion, steps must then resolve a
+    /// disturbance of them, even where the motion does not contain them.
+    #[inline(always)]
+    pub(crate) fn coarsest<L: ContactLaw>(&self, law: L) -> i32 {
+        if law.acts_on_both_sides() && self.resolves_derivative() {
+            Kernel::level_within(1.0 / self.kernel.fastest_rad_s)
+        } else {
+            Kernel::coarsest()
+        }
     }
 
     /// Returns the desired level, or a finer one for the predicted end of the contact.
@@ -122,18 +135,6 @@ impl Integrator<'_> {
                 .find(is_enough)
                 .unwrap_or(coarsest + LEVELS_PER_OCTAVE),
         )
-    }
-}
-
-/// Returns the coarsest level of a contact step. Where the law acts at all times, no flight
-/// propagates the fast modes exactly. Steps must then resolve a disturbance of them, which affects
-/// the derivative of the motion even where the motion does not show it.
-#[inline(always)]
-pub(crate) fn coarsest<L: ContactLaw>(law: L, kernel: &Kernel) -> i32 {
-    if law.acts_on_both_sides() {
-        Kernel::level_within(1.0 / kernel.fastest_rad_s)
-    } else {
-        Kernel::coarsest()
     }
 }
 

@@ -1,9 +1,10 @@
-//! Stiff springs that stay in contact while the bodies move slowly: against the closed form, and the
-//! number of steps.
+//! Stiff springs that stay in contact while the bodies move slowly, and fast modes under a force that
+//! always acts: against the closed form or Runge and Kutta's method, and the number of steps.
 
 use super::several_stops::stop;
 use crate::plants::{integrate, kernel, physical, springs};
-use jounce_model::contact::{KelvinVoigt, Law};
+use crate::runge_kutta::runge_kutta;
+use jounce_model::contact::{Cubic, KelvinVoigt, Law};
 use std::f64::consts::TAU;
 
 const STIFFNESS_N_M: f64 = 1e8;
@@ -86,4 +87,38 @@ fn a_stiff_spring_that_holds_a_slow_motion_costs_no_steps() {
             "{work:?}"
         );
     }
+}
+
+/// A cubic spring drives a slow and a fast mode. The fast one follows the force and turns 6,000 times:
+/// 38,000 rad.
+#[test]
+fn a_fast_mode_that_follows_a_cubic_force_costs_no_steps() {
+    const CUBIC_N_M3: f64 = 1e6;
+    let frequencies = [2.0, 3000.0];
+    let stiffness = frequencies.map(|f| (TAU * f).powi(2));
+    let force_n = |x: f64, y: f64| CUBIC_N_M3 * (x + y).powi(3);
+    let start_m = 0.01;
+    let follows_m = (0..50).fold(0.0, |y, _| -force_n(start_m, y) / stiffness[1]);
+    let mut system = springs(&frequencies, 0.0);
+    let law = Law::Cubic(Cubic {
+        stiffness_n_m: 0.0,
+        cubic_stiffness_n_m3: CUBIC_N_M3,
+    });
+    system.stops.push(stop("cubic", &[1.0, 1.0], 0.0, law));
+    let kernel = kernel(system);
+    let integrator = integrate(&kernel, &[start_m, follows_m, 0.0, 0.0], 0.0, END_S, 1e-9);
+    let end = physical(&integrator, &kernel);
+    let rates = |_, [x, y, u, v]: [f64; 4]| {
+        let force = force_n(x, y);
+        [u, v, -stiffness[0] * x - force, -stiffness[1] * y - force]
+    };
+    let reference = runge_kutta(rates, [start_m, follows_m, 0.0, 0.0], END_S, 1_500_000);
+    let error = ((end[0] - reference[0]) / start_m).abs();
+    let work = integrator.work();
+    eprintln!("error {error:.1e}, {work:?}");
+    assert!(error < 1e-7, "{error:e}");
+    assert!(
+        work.contact_steps + work.contact_rejections < 500,
+        "{work:?}"
+    );
 }
