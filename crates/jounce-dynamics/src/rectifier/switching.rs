@@ -88,7 +88,7 @@ impl Integrator<'_> {
             ..BridgeState::default()
         })
         .collect();
-        self.change_to(&states, &x)?;
+        self.change_to(&states, &x, None)?;
         self.change_on_events()
     }
 
@@ -130,7 +130,8 @@ impl Integrator<'_> {
                     };
                 }
             }
-            self.change_to(&states, &x)?;
+            let switched = (guard.change == BridgeChange::Switches).then_some(guard.bridge);
+            self.change_to(&states, &x, switched)?;
         }
         Ok(())
     }
@@ -225,15 +226,34 @@ impl Integrator<'_> {
         self.ports[p].penetration_m -= roundoff;
     }
 
-    /// Continues from a physical state with the bridges in given states.
-    fn change_to(&mut self, states: &[BridgeState], x: &[f64]) -> Result<(), IntegrationError> {
+    /// Moves the threshold of the next extremum to the current that the switch left: the time of an
+    /// extremum has roundoff, so that this current may be past zero already.
+    fn start_at_zero(&mut self, p: usize) {
+        let port = &mut self.ports[p];
+        let past = port.penetration_m.max(0.0);
+        port.gap_m += past;
+        port.penetration_m -= past;
+    }
+
+    /// Continues from a physical state with the bridges in given states, after the switch of one of
+    /// them if one closed.
+    fn change_to(
+        &mut self,
+        states: &[BridgeState],
+        x: &[f64],
+        switched: Option<usize>,
+    ) -> Result<(), IntegrationError> {
         let conduction_state = self.base.plant.system.conduction_state(states);
         let kernel = self.base.in_conduction_state(conduction_state)?;
         let state = self.enter_kernel(kernel, x);
         self.switching.conduction_state = conduction_state;
         self.switching.since = (self.time_s, x.to_vec());
         (0..self.switching.regulations.len()).for_each(|bridge| self.aim_at_band(bridge));
-        for p in kernel.plant.system.stops.len()..kernel.plant.ports.len() {
+        let first = kernel.plant.system.stops.len();
+        for (p, guard) in (first..).zip(&kernel.plant.guards) {
+            if guard.change == BridgeChange::Switches && switched == Some(guard.bridge) {
+                self.start_at_zero(p);
+            }
             self.shift_threshold(p, &state);
         }
         Ok(())

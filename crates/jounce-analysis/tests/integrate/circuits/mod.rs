@@ -2,6 +2,7 @@
 
 pub mod cell;
 mod charges;
+mod extremum;
 mod leaks;
 mod rectified;
 mod regulators;
