@@ -58,11 +58,11 @@ test("the strain limit is on the chart of the strain", async () => {
     const spec = await readFile(server.spec, "utf8");
     await page.locator("#quantity").selectOption("strain");
     await writeFile(server.spec, spec.replace("[patch.mfc] ", "[patch.mfc]\nstrain_limit = 300e-6\n#"));
-    await until("readout", /The strain limit is 300 ppm; all stable orbits found keep it from [\d.]+ Hz to 14\.82 Hz\./);
+    await until("readout", /The strain limit is 300 ppm; all stable orbits found stay below it from [\d.]+ Hz to 14\.82 Hz\./);
     // Runs inside the ranges keep the limit; at an end that is none of a branch, the strain is just below the limit.
     await writeFile(server.spec, spec.replace("[patch.mfc] ", "[patch.mfc]\nstrain_limit = 2000e-6\n#"));
-    await until("readout", /The strain limit is 2000 ppm; all stable orbits found keep it from/);
-    const sentence = (await page.locator("#readout").textContent()).match(/keep it .*/)[0];
+    await until("readout", /The strain limit is 2000 ppm; all stable orbits found stay below it from/);
+    const sentence = (await page.locator("#readout").textContent()).match(/stay below it .*/)[0];
     const ranges = [...sentence.matchAll(/from ([\d.]+) Hz to ([\d.]+) Hz/g)].map(([, from, to]) => [Number(from), Number(to)]);
     assert.ok(ranges.length === 3 && ranges[0][0] === 11.44 && ranges[2][1] === 14.82, sentence);
     const strain = async (hertz) => (await running(server.spec, hertz, "drive.shaker.frequency")).patches[0].strain_peak;
