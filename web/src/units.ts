@@ -7,6 +7,12 @@ const PREFIXES: [number, string][] = [
 ];
 const NO_PREFIX: [number, string] = [1, ""];
 
+/** Size below which a value is roundoff, such as the power behind diodes that do not conduct: a thousandth of the smallest prefix. */
+const ROUNDOFF = 1e-21;
+
+/** A value without roundoff. */
+export const withoutRoundoff = (value: number): number => (Math.abs(value) < ROUNDOFF ? 0 : value);
+
 /** Size and name of the prefix for a value. */
 export function prefix(value: number): [number, string] {
     const size = Math.abs(value);
@@ -48,7 +54,8 @@ export function digits(value: number, count = 4): string {
 }
 
 /** A value with its unit, `"1.23 mW"`. */
-export function quantity(value: number, unit: string, count = 4): string {
+export function quantity(computed: number, unit: string, count = 4): string {
+    const value = withoutRoundoff(computed);
     if (!takesPrefix(unit) || (unit === "Hz" && Math.abs(value) < 1)) return `${digits(value, count)} ${sign(unit)}`.trim();
     const [step, name] = prefix(value);
     return `${digits(value / step, count)} ${name}${sign(unit)}`;

@@ -137,4 +137,23 @@ test("a logarithmic axis says which points it cannot show, and is linear where a
     await oscillator.close();
 });
 
+test("diodes that do not conduct pass no power, and the harvester has one orbit", async () => {
+    const rectified = await serve({ kind: "bimorph-with-rectifier" });
+    const own = await open(browser.context, rectified.address);
+    // A longer shim moves the resonance out of the range. The search also starts from the orbits of the spec, whose diodes conduct.
+    const { stdout } = await run(program, ["run", rectified.spec, "--set", "beam.shim.length=74.9 mm", "--json"]);
+    assert.ok(JSON.parse(stdout).mean_power_w < 1e-21, stdout);
+    const length = own.getByLabel("beam.shim.length, value", { exact: true });
+    await length.evaluate((field) => field.closest("details")?.setAttribute("open", ""));
+    await length.fill("74.9");
+    await length.press("Enter");
+    await until("operating-words", /^At 47 Hz: 0 W, period 1, stable/, own);
+    await ready(own);
+    const words = await own.locator("#readout").textContent();
+    assert.match(words, /^Stable orbits found: 1 in the complete range\. .*All values are 0, so the axis is linear\./);
+    assert.equal(await own.locator("#bifurcations tr").count(), 0);
+    await own.close();
+    await rectified.close();
+});
+
 test("no error was printed in the browser", () => assert.deepEqual(page.faults, []));
