@@ -35,9 +35,9 @@ export const AROUND = [56, 38];
 const SPACE = [60, 18];
 
 /** Sizes of letters, CSS pixels: of the numbers, of the first line of a title, of each further line. */
-const LETTERS = { large: [12, 20, 15], small: [10, 14, 12] };
+const LETTERS = { large: [12, 18, 15], small: [10, 14, 12] };
 /** Least room for the numbers below and at the left of a chart, and their distance from it. */
-const NUMBERS = { large: [26, 48], small: [18, 34] };
+const NUMBERS = { large: [19, 48], small: [16, 34] };
 const GAP = 3;
 /** Distance of letters from the edge of the canvas. */
 const EDGE = 2;

@@ -1,6 +1,7 @@
 // Data of a response: branches, bifurcations, the linear harvester.
 
 import type { Frame } from "./frame";
+import { withoutRoundoff } from "./units";
 import type { Request } from "./wire";
 
 export type Quantity = "power" | "voltage" | "penetration" | "force" | "impact" | "displacement" | "strain" | "floquet";
@@ -78,8 +79,10 @@ export interface Place {
 export function resultOf(frame: Frame, { design }: Request): ResponseResult {
     const { head } = frame;
     const branches = (head.branches as { period: number }[]).map((branch, k): Branch => {
-        const values = Object.fromEntries(Object.keys(QUANTITIES).map((name) => [name, frame.array(`${k}.${name}`)]));
-        return { identity: k, period: branch.period, x: frame.array(`${k}.x`), values: values as Branch["values"], contacts: frame.array(`${k}.contacts`), error: frame.array(`${k}.error`) };
+        const values = Object.fromEntries(Object.keys(QUANTITIES).map((name) => [name, frame.array(`${k}.${name}`)])) as Branch["values"];
+        // Diodes that do not conduct.
+        for (const name of ["power", "voltage"] as const) values[name] = values[name].map(withoutRoundoff);
+        return { identity: k, period: branch.period, x: frame.array(`${k}.x`), values, contacts: frame.array(`${k}.contacts`), error: frame.array(`${k}.error`) };
     });
     const linear = { x: frame.array("linear.x"), power: frame.array("linear.power") };
     return { id: head.id, design, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, storage: head.storage, draft: head.stage === "first" ? { origin: "first", lost_share: 1, error: null } : head.draft ?? undefined, note: head.note ?? "", budgetNote: head.budget_note ?? "" };

@@ -24,6 +24,8 @@ const EDGE = 8;
 const CATCH = { start: [14, 44], end: [14, 44], place: [20, 26], gap: [60, 40] };
 /** Smallest scale of a part of the sheet: its letters of 12 px have 10 px. */
 const MIN_SCALE = 10 / 12;
+/** Distance of circuits and close-ups, px. */
+const CELL_GAP = 4;
 /** Time without a change of the room after which the sheet is drawn again. */
 const REST_MS = 150;
 /** Size for a gap in the side view, where the handle of the stop's position is near. */
@@ -89,12 +91,19 @@ export class Drawing {
             this.offer(inside.page, grip, inside === sheets[0], before);
         }
         this.side.replaceChildren(...[sheets[0], ...plans].map(({ view }) => view));
-        this.close.replaceChildren(...sheets.slice(1, 1 + drawn.cells.length).map(({ view }) => view));
-        // A circuit that is wider than the page is complete, with smaller letters.
-        for (const view of this.close.querySelectorAll("svg")) view.style.minWidth &&= `min(${view.style.minWidth}, 100%)`;
-        this.close.hidden = drawn.cells.length === 0;
+        this.takeCells(sheets.slice(1, 1 + drawn.cells.length).map(({ view }) => view));
         if (focused instanceof SVGElement && focused.isConnected) focused.focus();
         this.checkRoom();
+    }
+
+    /** Circuits and close-ups: in one row where there is room. */
+    private takeCells(views: SVGSVGElement[]): void {
+        this.close.replaceChildren(...views);
+        this.close.hidden = views.length === 0;
+        const row = views.reduce((sum, { style }) => sum + parseFloat(style.minWidth) + CELL_GAP, 0);
+        this.close.style.setProperty("--row", `${row}px`);
+        // A circuit that is wider than the page is complete, with smaller letters.
+        for (const { style } of views) style.minWidth = `min(${style.minWidth}, 100%)`;
     }
 
     /** Creates the handle of a grip, if its key has a control. */

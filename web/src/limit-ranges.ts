@@ -1,4 +1,4 @@
-// Ranges of the key over which all stable orbits that were found keep the strain limit.
+// Ranges of the key over which all stable orbits that were found stay below the strain limit.
 
 import { type Branch, type ResponseResult, isStable } from "./branches";
 import { stableCounts } from "./stability";
@@ -6,7 +6,7 @@ import { digits, quantity } from "./units";
 
 type Span = [number, number];
 
-/** Lines between two points of a branch that have a stable end, and an end above the limit. The range of such a line is not kept in any part. */
+/** Lines between two points of a branch that have a stable end, and an end above the limit. No part of the range of such a line counts as below. */
 function above(branch: Branch, limit: number): Span[] {
     const { x, values: { strain } } = branch;
     const found: Span[] = [];
@@ -23,26 +23,26 @@ function without(range: Span, parts: Span[]): Span[] {
     return left;
 }
 
-/** Ranges of the key with stable orbits of which all keep the limit. */
-export function keptRanges(result: ResponseResult, range: Span, limit: number): Span[] {
+/** Ranges of the key with stable orbits that are all below the limit. */
+function rangesBelow(result: ResponseResult, range: Span, limit: number): Span[] {
     const beyond = result.branches.flatMap((branch) => above(branch, limit));
     const stable = stableCounts(result, range).filter(({ orbits }) => orbits > 0);
-    const kept: Span[] = [];
+    const below: Span[] = [];
     for (const [from, to] of stable.flatMap((own) => without([own.from, own.to], beyond))) {
-        const last = kept[kept.length - 1];
+        const last = below[below.length - 1];
         if (last?.[1] === from) last[1] = to;
-        else kept.push([from, to]);
+        else below.push([from, to]);
     }
-    return kept;
+    return below;
 }
 
-/** A sentence about the strain limit, ppm; of a result with strains, where the stable orbits keep it. */
+/** A sentence about the strain limit, ppm; of a result with strains, where the stable orbits stay below it. */
 export function limitWords(result: ResponseResult, range: Span, limit: number): string {
     const words = `The strain limit is ${digits(limit)} ppm`;
     if (result.draft || result.branches.some(({ values }) => values.strain.length === 0)) return `${words}.`;
-    const kept = keptRanges(result, range, limit);
-    if (kept.length === 0) return `${words}; at no value of the key do all stable orbits keep it.`;
+    const below = rangesBelow(result, range, limit);
+    if (below.length === 0) return `${words}; at no value of the key do all stable orbits found stay below it.`;
     const at = (value: number) => quantity(value, result.unit, 5);
-    const where = kept.length === 1 && kept[0][0] === range[0] && kept[0][1] === range[1] ? "in the complete range" : kept.map(([from, to]) => `from ${at(from)} to ${at(to)}`).join(", ");
-    return `${words}; all stable orbits found keep it ${where}.`;
+    const where = below.length === 1 && below[0][0] === range[0] && below[0][1] === range[1] ? "in the complete range" : below.map(([from, to]) => `from ${at(from)} to ${at(to)}`).join(", ");
+    return `${words}; all stable orbits found stay below it ${where}.`;
 }

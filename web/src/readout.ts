@@ -31,6 +31,12 @@ export class Readout {
 /** A message of the program as a sentence. */
 export const sentence = (words: string): string => words && `${words[0].toUpperCase()}${words.slice(1)}.`;
 
+/** Shows words in an element; an option of the command line is not divided between lines. */
+export function showOptions(host: HTMLElement, words: string): void {
+    const part = (own: string, k: number) => (k % 2 === 1 ? Object.assign(document.createElement("code"), { textContent: own }) : own);
+    host.replaceChildren(...words.split(/(--[a-z-]+)/).map(part));
+}
+
 function row(found: Bifurcation, unit: string, choose: (found: Bifurcation) => void): HTMLElement {
     const line = document.createElement("tr");
     const button = document.createElement("button");

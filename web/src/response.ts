@@ -10,7 +10,7 @@ import { LineHandle } from "./line";
 import { type MeasuredPoints, measuredCurves } from "./measured";
 import type { Curve, Mark, Rule } from "./paint";
 import { Pointing } from "./pointing";
-import { type Readout, draftWords, peakWords, sentence } from "./readout";
+import { type Readout, draftWords, peakWords, sentence, showOptions } from "./readout";
 import type { Head } from "./frame";
 import type { OrbitSource } from "./shown-orbit";
 import { stableWords } from "./stability";
@@ -280,7 +280,7 @@ export class Response {
             ...(result.branches.length === 0 && !result.draft && !this.isOld ? ["No periodic orbit was found in this range."] : []),
         ].filter(Boolean).join(" ");
         this.readout.show(text, result.note, this.draftError ? errorWords(this.draftError) : "", this.listed(result), result.unit, (found) => this.chooseNear(found));
-        this.incomplete.textContent = this.isOld || result.draft ? "" : sentence(result.budgetNote);
+        showOptions(this.incomplete, this.isOld || result.draft ? "" : sentence(result.budgetNote));
         this.incomplete.hidden = this.incomplete.textContent === "";
         const count = result.branches.length;
         this.chart.host.setAttribute("aria-label", `${described(this.quantity, result).words} over ${result.over}: ${count} ${count === 1 ? "branch" : "branches"}. Arrow keys move along the branch. ${text}`);

@@ -3,18 +3,27 @@
 import { isNarrow } from "./ticks";
 
 const PREFIXES: [number, string][] = [
-    [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"],
+    [1e12, "T"], [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"], [1e-15, "f"], [1e-18, "a"],
 ];
+const NO_PREFIX: [number, string] = [1, ""];
+
+/** Size below which a value is roundoff, such as the power behind diodes that do not conduct: a thousandth of the smallest prefix. */
+const ROUNDOFF = 1e-21;
+
+/** A value without roundoff. */
+export const withoutRoundoff = (value: number): number => (Math.abs(value) < ROUNDOFF ? 0 : value);
 
 /** Size and name of the prefix for a value. */
 export function prefix(value: number): [number, string] {
     const size = Math.abs(value);
-    if (!Number.isFinite(size) || size === 0) return [1, ""];
+    if (!Number.isFinite(size) || size === 0) return NO_PREFIX;
     return PREFIXES.find(([step]) => size >= 0.9999999 * step) ?? PREFIXES[PREFIXES.length - 1];
 }
 
-/** Units that take a prefix: a single name without powers or quotients. */
-const takesPrefix = (unit: string) => /^[A-Za-z]+$/.test(unit) && !["kg", "rad", "ppm"].includes(unit);
+/** Units that take a prefix, as in crates/jounce-plot/src/axis/unit.rs. */
+const TAKES_PREFIX = ["W", "V", "A", "N", "m", "s", "Hz", "ohm", "F", "J", "Pa", "C", "H", "S"];
+
+const takesPrefix = (unit: string) => TAKES_PREFIX.includes(unit);
 
 const RAISED: Record<string, string> = { "-": "⁻", ".": "·", "0": "⁰", "1": "¹", "2": "²", "3": "³", "4": "⁴", "5": "⁵", "6": "⁶", "7": "⁷", "8": "⁸", "9": "⁹" };
 
@@ -45,7 +54,8 @@ export function digits(value: number, count = 4): string {
 }
 
 /** A value with its unit, `"1.23 mW"`. */
-export function quantity(value: number, unit: string, count = 4): string {
+export function quantity(computed: number, unit: string, count = 4): string {
+    const value = withoutRoundoff(computed);
     if (!takesPrefix(unit) || (unit === "Hz" && Math.abs(value) < 1)) return `${digits(value, count)} ${sign(unit)}`.trim();
     const [step, name] = prefix(value);
     return `${digits(value / step, count)} ${name}${sign(unit)}`;
@@ -57,28 +67,38 @@ const MOST_DIGITS = 9;
 /** A value with its error and unit, "12.590016 ± 2.5e-10 Hz", with the digits that the error supports. */
 export function quantityWithError(value: number, error: number | null, unit: string): string {
     if (!error || value === 0) return quantity(value, unit, 5);
-    const [step, name] = takesPrefix(unit) ? prefix(value) : [1, ""];
+    const [step, name] = takesPrefix(unit) ? prefix(value) : NO_PREFIX;
     const supported = Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(error)) + 1;
     const text = (value / step).toPrecision(Math.min(Math.max(supported, 1), MOST_DIGITS));
     return `${text} ± ${digits(error / step, 2)} ${name}${sign(unit)}`;
 }
 
-/** Units that take a prefix on an axis: also a quotient, whose first unit takes it ("mm/s"). */
-const axisPrefix = (most: number, unit: string): [number, string] => (takesPrefix(unit.split("/")[0]) ? prefix(most) : [1, ""]);
+/** True for units that take a prefix on an axis: also a quotient, whose first unit takes it ("mm/s"). */
+const takesAxisPrefix = (unit: string) => takesPrefix(unit.split("/")[0]);
 
 /** Divisor and unit of the numbers of a linear axis: those of its largest value. A round thousand at its end does not change the unit: 0 to 1000 Hz. */
 export function axisUnit(low: number, high: number, unit: string): [number, string] {
+    if (!takesAxisPrefix(unit)) return [1, sign(unit)];
     const most = Math.max(Math.abs(low), Math.abs(high));
-    const [size] = axisPrefix(most, unit);
-    const [step, name] = axisPrefix(size > 1 && most < 1.1 * size ? size / 1000 : most, unit);
+    const [size] = prefix(most);
+    const [step, name] = prefix(size > 1 && most < 1.1 * size ? size / 1000 : most);
     return [step, name + sign(unit)];
 }
 
-/** Divisor and unit of a logarithmic axis: with equal steps those of a linear one, else those of its largest value where that makes the labels plain, else none. */
+/** Span from which on a prefix does not help, decades: 10⁻⁵ W is easier to read than 10000 nW. */
+const MANY_DECADES = 4.5;
+
+/**
+ * Divisor and unit of a logarithmic axis. With equal steps they are those of a linear one; else the first that makes the labels plain: no
+ * prefix, the prefix of the smallest value, the next larger prefix. Where none does, there is no prefix.
+ */
 export function logAxisUnit(low: number, high: number, unit: string): [number, string] {
     if (isNarrow(low, high)) return axisUnit(low, high, unit);
-    const [step, name] = axisPrefix(high, unit);
-    return isPlain(low / step, high / step) ? [step, name + sign(unit)] : [1, sign(unit)];
+    const takes = takesAxisPrefix(unit) && Math.log10(high / low) < MANY_DECADES;
+    const smallest = PREFIXES.indexOf(prefix(low));
+    const offered = takes ? [NO_PREFIX, PREFIXES[smallest], PREFIXES[Math.max(smallest - 1, 0)]] : [];
+    const [step, name] = offered.find(([size]) => isPlain(low / size, high / size)) ?? NO_PREFIX;
+    return [step, name + sign(unit)];
 }
 
 /** True where the powers of ten of a logarithmic axis are readable as plain decimals: 0.001 to 10000. */

@@ -15,7 +15,7 @@ if (missing.length > 0) {
 }
 /** Those that run without `--all`: the first picture, and the most used controls and tabs. They take a minute. */
 const SHORT = ["page", "first-picture", "explore"];
-const LONG = ["axes", "wire", "draft-error", "charts", "budget", "cursor", "measured", "quantities", "range", "order", "draft", "keyboard", "axe", "truth", "use", "noise", "views", "limits", "labels", "design", "plate", "link", "print", "study"];
+const LONG = ["axes", "wire", "draft-error", "charts", "budget", "cursor", "measured", "quantities", "range", "order", "draft", "drawn-designs", "keyboard", "axe", "truth", "use", "noise", "views", "limits", "labels", "design", "plate", "link", "print", "study"];
 
 const began = performance.now();
 const all = process.argv.includes("--all");

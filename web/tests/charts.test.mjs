@@ -1,8 +1,8 @@
 // Letters of the charts: on every tab and at every width of the page, none is cut and no two cover each other.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { ready } from "./browser.mjs";
-import { page, until } from "./suite.mjs";
+import { ready, serve } from "./browser.mjs";
+import { browser, page, until } from "./suite.mjs";
 
 /** Records the texts of each canvas with their boxes, in its pixels. */
 const record = () => page.evaluate(() => {
@@ -54,6 +54,38 @@ test("no letters of a chart are cut or cover each other", async () => {
         }
     }
     assert.deepEqual(bad, []);
+});
+
+/** Height of the chart of the response in a window of 1280 x 800, CSS pixels, with all text below it visible. */
+const chartHeight = async (own) => {
+    await own.setViewportSize({ width: 1280, height: 800 });
+    await own.locator("#tab-response").click();
+    // A drawing for the new room replaces the old one after a rest.
+    await own.waitForTimeout(1000);
+    await ready(own);
+    const text = await own.locator("#panel-response").evaluate((panel) => [panel.scrollHeight - panel.clientHeight, ...[...panel.querySelectorAll(".readout")].map((one) => one.scrollHeight - one.clientHeight)]);
+    assert.ok(text.every((hidden) => hidden <= 1), `hidden: ${text}`);
+    return (await own.locator("#chart-response").boundingBox()).height;
+};
+
+test("at 1280 x 800 the response has more height than the drawing, and all text below it is visible", async () => {
+    const chart = await chartHeight(page);
+    const { height } = await page.locator("#drawing").boundingBox();
+    assert.ok(chart > 220 && chart > height, `${chart} of the chart, ${height} of the drawing`);
+});
+
+test("at 1280 x 800 several circuits and close-ups stand in one row, so that the drawing leaves the response its height", async () => {
+    const beams = await serve({ kind: "two-beams" });
+    const own = await browser.context.newPage();
+    await own.setViewportSize({ width: 1280, height: 800 });
+    await own.goto(beams.address);
+    await own.locator("#close > svg").nth(2).waitFor();
+    const tops = await own.locator("#close > svg").evaluateAll((views) => views.map((view) => Math.round(view.getBoundingClientRect().top)));
+    assert.equal(new Set(tops).size, 1, String(tops));
+    const { height } = await own.locator("#drawing").boundingBox();
+    assert.ok(height < 200, `${height}`);
+    await own.close();
+    await beams.close();
 });
 
 test("no error was printed in the browser", () => assert.deepEqual(page.faults, []));

@@ -13,8 +13,14 @@ export const holds = ({ off, farthest }, draft) => off === 0 && farthest <= (dra
 /** Tolerance of the searches: a power below this share of the largest one is the noise of the integrations. */
 const TOLERANCE = 1e-9;
 
-/** Points of a branch on the scale of the comparison. */
-const scaled = ({ x, power }, span) => x.map((own, k) => [own / span, 0.2 * Math.log(power[k])]);
+/** Drawn lines of branches on the scale of the comparison, with the period of each. */
+function* lines(branches, span) {
+    for (const { period, x, power, drawn } of branches) {
+        for (let k = 0; k + 1 < x.length; k++) {
+            if (drawn?.[k] !== false) yield { period, ends: [x[k] / span, 0.2 * Math.log(power[k]), x[k + 1] / span, 0.2 * Math.log(power[k + 1])] };
+        }
+    }
+}
 
 /** Branches with at least the power of the noise; a harvester without a load has no power. */
 function aboveNoise(branches, others) {
@@ -23,24 +29,12 @@ function aboveNoise(branches, others) {
     return branches.map((branch) => ({ ...branch, power: branch.power.map((own) => Math.max(own, least)) }));
 }
 
-function* samples(branch, span) {
-    const points = scaled(branch, span);
-    for (let k = 0; k + 1 < points.length; k++) {
-        if (branch.drawn?.[k] === false) continue;
-        const [[x, y], [toX, toY]] = [points[k], points[k + 1]];
-        for (let part = 0; part < SAMPLES; part++) {
-            const share = part / (SAMPLES - 1);
-            yield { at: [x + share * (toX - x), y + share * (toY - y)], length: Math.hypot(toX - x, toY - y) / SAMPLES };
-        }
-    }
-}
-
-function distance([x, y], branch, span) {
-    const points = scaled(branch, span);
+/** Distance of a point from the nearest of some lines. */
+function distance(x, y, others) {
     let least = Infinity;
-    for (let k = 0; k + 1 < points.length; k++) {
-        if (branch.drawn?.[k] === false) continue;
-        const [[a, b], [c, d]] = [points[k], points[k + 1]];
+    for (const [a, b, c, d] of others) {
+        // Most lines are farther away in one direction than the nearest one.
+        if (Math.max(Math.min(a, c) - x, x - Math.max(a, c), Math.min(b, d) - y, y - Math.max(b, d)) > least) continue;
         const size = (c - a) ** 2 + (d - b) ** 2;
         const share = size > 0 ? Math.min(Math.max(((x - a) * (c - a) + (y - b) * (d - b)) / size, 0), 1) : 0;
         least = Math.min(least, Math.hypot(a + share * (c - a) - x, b + share * (d - b) - y));
@@ -48,13 +42,16 @@ function distance([x, y], branch, span) {
     return least;
 }
 
-/** Share of the length of some branches that is not on others, and the largest distance. */
+/** Share of the length of some branches that is not on others of the same period, and the largest distance. */
 function strays(branches, others, span) {
+    const same = new Map(others.map(({ period }) => [period, []]));
+    for (const { period, ends } of lines(others, span)) same.get(period).push(ends);
     let [sum, off, farthest] = [0, 0, 0];
-    for (const branch of branches) {
-        const same = others.filter((own) => own.period === branch.period);
-        for (const { at, length } of samples(branch, span)) {
-            const away = same.reduce((least, own) => Math.min(least, distance(at, own, span)), Infinity);
+    for (const { period, ends: [a, b, c, d] } of lines(branches, span)) {
+        const length = Math.hypot(c - a, d - b) / SAMPLES;
+        for (let part = 0; part < SAMPLES; part++) {
+            const share = part / (SAMPLES - 1);
+            const away = distance(a + share * (c - a), b + share * (d - b), same.get(period) ?? []);
             sum += length;
             if (away > SAME) off += length;
             if (Number.isFinite(away)) farthest = Math.max(farthest, away);

@@ -56,30 +56,38 @@ export async function connect(page, address) {
     return (ask, body, stages) => page.evaluate(([...words]) => window.ask(...words), [ask, body, stages]);
 }
 
-/** The quantity of a frame that is compared: a harvester without a load has no power. */
-export const comparable = ({ head, lists }) => (head.branches.some((_, k) => lists[`${k}.power`].some((own) => own > 0)) ? "power" : "displacement");
+/** Power below which it is roundoff: diodes that do not conduct. */
+const ROUNDOFF_W = 1e-21;
+/** The quantity of a frame that is compared: a harvester without a load, or whose diodes do not conduct, has no power. */
+export const comparable = ({ head, lists }) => (head.branches.some((_, k) => lists[`${k}.power`].some((own) => own > ROUNDOFF_W)) ? "power" : "displacement");
 /** The branches of a frame of the page with a quantity; of a draft also which lines are drawn. */
 export const branches = ({ head, lists }, quantity = "power") => head.branches.map(({ period }, k) => ({
     period, x: lists[`${k}.x`], power: lists[`${k}.${quantity}`], ...(head.draft && { drawn: draws({ error: lists[`${k}.error`] }, head.draft) }),
 }));
 const words = (pairs) => pairs.flatMap(([key, value]) => ["--set", `${key}=${value}`]);
-/** Time for one command. */
-const LONGEST_MS = 90_000;
-/** Result of a command of the program for a design; undefined where it takes too long. */
+/** Far longer than most commands take, also on a busy machine. */
+const LONGEST_MS = 180_000;
+/** Result of a command of the program for a design; undefined where it takes too long. An incomplete result is printed too, with an exit code of its own. */
 async function asked(command, spec, options, set) {
     try {
         return JSON.parse((await run(program, [command, spec, ...options, "--json", ...words(set)], { maxBuffer: 1 << 28, timeout: LONGEST_MS })).stdout);
     } catch (error) {
-        return error.killed ? undefined : { fault: error.stderr.trim() };
+        if (error.killed) return undefined;
+        return error.stdout ? JSON.parse(error.stdout) : { fault: error.stderr.trim() };
     }
 }
 
-/** The branches of `jounce branch` with a quantity; undefined where there is no result. */
+/** True for the frame of a search that has left branches for lack of budget, or found no first orbit of one; the page says so. */
+export const isCut = ({ head }) => head.budget_note !== null || head.branches.some(({ endings }) => endings.some(({ how }) => how === "points"));
+
+/** The branches of `jounce branch` with a quantity, and whether it has left some; or its fault; undefined where it takes too long. */
 export async function ofProgram(spec, set, span, quantity, seeds = OPTIONS.seeds) {
     const name = { power: "mean_power_w", displacement: "displacement_peak_m" }[quantity];
     const options = ["--over", `${span.over}=${span.from}Hz:${span.to}Hz`, "--seeds", String(seeds), "--longest-period", String(OPTIONS.longest_period), "--tolerance", String(OPTIONS.tolerance)];
     const result = await asked("branch", spec, options, set);
-    return result?.branches?.map((branch) => ({ period: branch.period_cycles, x: branch.points.map((own) => own.parameter), power: branch.points.map((own) => own[name]) }));
+    const branches = result?.branches?.map((branch) => ({ period: branch.period_cycles, x: branch.points.map((own) => own.parameter), power: branch.points.map((own) => own[name]) }));
+    const isCut = result?.branches?.some((branch) => branch.not_followed > 0 || branch.termination.some(({ reason }) => reason === "points"));
+    return result && { branches, isCut, fault: result.fault };
 }
 
 /** The attractors of `jounce basins`, undefined where it takes too long, and those of the operating point of the page. */

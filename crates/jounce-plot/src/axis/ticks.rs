@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn narrow_log_axes_have_the_units_of_the_cases_that_the_live_page_shares() {
+    fn log_axes_have_the_units_of_the_cases_that_the_live_page_shares() {
         let cases: serde_json::Value = serde_json::from_str(include_str!("cases.json")).unwrap();
         for case in cases["units"].as_array().unwrap() {
             let [low, high] = ["low", "high"].map(|end| case[end].as_f64().unwrap());

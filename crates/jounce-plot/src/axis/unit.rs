@@ -14,8 +14,10 @@ const PREFIXES: [(i32, &str); 11] = [
     (12, "T"),
 ];
 
-/// Units that take a prefix when they are first.
-const TAKES_PREFIX: [&str; 12] = ["W", "V", "A", "N", "m", "s", "Hz", "Ω", "F", "J", "Pa", "C"];
+/// Units that take a prefix when they are first. The live page has the same in `web/src/units.ts`.
+const TAKES_PREFIX: [&str; 14] = [
+    "W", "V", "A", "N", "m", "s", "Hz", "Ω", "F", "J", "Pa", "C", "H", "S",
+];
 
 /// Returns the unit with its symbols: `ohm` is `Ω`, integer powers are superscripts.
 pub(super) fn printed(unit: &str) -> String {

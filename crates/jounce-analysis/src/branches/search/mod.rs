@@ -61,6 +61,10 @@ pub struct BranchSearch<'s> {
 /// common period by chance.
 const GOLDEN_SHARE: f64 = 0.618_033_988_749_894_9;
 
+/// Distances of a first orbit from a period doubling, relative to the size of the orbit, in the
+/// order in which they are tried. The small ones serve a branch with a grazing next to its doubling.
+const DISPLACEMENTS: [f64; 5] = [1e-2, 3e-3, 3e-2, 1e-3, 3e-4];
+
 /// Permitted error of the mean power in harmonic balance, relative to the tolerance of an
 /// integration.
 const POWER_ERROR_FACTOR: f64 = 300.0;
@@ -235,26 +239,41 @@ impl BranchSearch<'_> {
                     continue;
                 };
                 let method = make(cycles)?;
-                let start = || self.displaced_orbit(tracer, &method, &at);
-                let Some((first, _)) = start() else {
+                if !self.follow_doubling((tracer, &within), &method, &at, branches)? {
                     branches[parent].not_followed += 1;
-                    continue;
-                };
-                let orbit = method.orbit(&first.local, first.error)?;
-                if !self.is_known(branches, tracer, (&orbit, first.position.parameter)) {
-                    let found = within.both_ways_from(&method, start)?;
-                    // A continuation of one point has fallen back to the parent.
-                    match found.filter(|found| found.points.len() > 1) {
-                        Some(found) => {
-                            branches.push(found);
-                            entered.push(false);
-                        }
-                        None => branches[parent].not_followed += 1,
-                    }
                 }
+                entered.resize(branches.len(), false);
             }
         }
         Ok(())
+    }
+
+    /// Adds the doubled branch of a doubling, unless it is known. Returns false where Newton's method
+    /// finds no first orbit, or every continuation falls back to the parent.
+    fn follow_doubling<M: OrbitMethod<Fault = AnalysisError>>(
+        &self,
+        (tracer, within): (&BranchTracer, &BranchTracer),
+        method: &M,
+        at: &BranchPoint,
+        branches: &mut Vec<Branch>,
+    ) -> Result<bool, Failure> {
+        for length in DISPLACEMENTS {
+            let start = || self.displaced_orbit(tracer, method, at, length);
+            let Some((first, _)) = start() else {
+                continue;
+            };
+            let orbit = method.orbit(&first.local, first.error)?;
+            if self.is_known(branches, tracer, (&orbit, first.position.parameter)) {
+                return Ok(true);
+            }
+            let found = within.both_ways_from(method, start)?;
+            // A continuation of one point has fallen back to the parent.
+            if let Some(found) = found.filter(|found| found.points.len() > 1) {
+                branches.push(found);
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Returns the branch whose doublings are followed next: of the shortest period, then of the
@@ -271,12 +290,13 @@ impl BranchSearch<'_> {
     }
 
     /// Returns a first orbit on the doubled branch, displaced from the doubling along the
-    /// eigenvector of the multiplier -1.
+    /// eigenvector of the multiplier -1 by a length relative to the size of the orbit.
     fn displaced_orbit<M: OrbitMethod<Fault = AnalysisError>>(
         &self,
         tracer: &BranchTracer,
         method: &M,
         at: &BranchPoint,
+        length: f64,
     ) -> Option<(CorrectedPoint<M::Evaluation>, Direction)> {
         let state = at.orbit.start();
         let evaluation = self
@@ -294,27 +314,25 @@ impl BranchSearch<'_> {
             parameter: at.parameter,
         };
         let metric = Metric::at(&origin, tracer.parameter_scale());
-        [1e-2, 3e-3, 3e-2].into_iter().find_map(|length| {
-            let shifted: Vec<f64> = (0..n)
-                .map(|i| state[i] + length * size * vector[i])
-                .collect();
-            let guess = Position {
-                unknown: method.unknown_of(&shifted, at.parameter).ok()?,
-                parameter: at.parameter,
-            };
-            let difference = guess
-                .unknown
-                .iter()
-                .zip(&origin.unknown)
-                .map(|(a, b)| a - b)
-                .collect();
-            let direction = metric.unit(Direction {
-                unknown: difference,
-                parameter: 0.0,
-            });
-            let corrected = correct(method, &tracer.corrector, &metric, &direction, guess).ok()?;
-            let direction = tangent(&corrected.local, &metric, &direction)?;
-            Some((corrected, direction))
-        })
+        let shifted: Vec<f64> = (0..n)
+            .map(|i| state[i] + length * size * vector[i])
+            .collect();
+        let guess = Position {
+            unknown: method.unknown_of(&shifted, at.parameter).ok()?,
+            parameter: at.parameter,
+        };
+        let difference = guess
+            .unknown
+            .iter()
+            .zip(&origin.unknown)
+            .map(|(a, b)| a - b)
+            .collect();
+        let direction = metric.unit(Direction {
+            unknown: difference,
+            parameter: 0.0,
+        });
+        let corrected = correct(method, &tracer.corrector, &metric, &direction, guess).ok()?;
+        let direction = tangent(&corrected.local, &metric, &direction)?;
+        Some((corrected, direction))
     }
 }

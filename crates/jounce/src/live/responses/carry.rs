@@ -79,7 +79,9 @@ impl DraftProblem<'_> {
             orbits.retain(|orbit| orbit.period_cycles <= self.longest_period);
             without_shorter_periods(warm_start.run(&orbits).unwrap_or_default())
         };
-        let branches = last.map(|last| from(last.orbits())).unwrap_or_default();
+        let branches = last
+            .map(|last| from(last.known_orbits.clone()))
+            .unwrap_or_default();
         if !branches.is_empty() || kernel.control.is_stopped() {
             return CarriedBranches::continued(branches, DraftOrigin::Continued);
         }

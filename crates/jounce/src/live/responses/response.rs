@@ -1,8 +1,8 @@
 //! Response over a key: first the branches near those of the previous design, then all branches.
 
-use super::ResponseResult;
 use super::carry::{CarriedBranches, DraftProblem, TOLERANCE};
-use super::stored_response::StoredResponse;
+use super::response_result::{ResponseBranch, ResponseResult};
+use super::stored_response::{StoredResponse, known_orbits};
 use crate::branch::{budget_note, search_note};
 use crate::error::Error;
 use crate::live::{Design, KeySpan, LiveAnalysis};
@@ -119,10 +119,18 @@ impl LiveAnalysis {
             origin,
             draft,
         } = carried;
+        // No line of a branch is known where diodes hardly conduct. Its orbits are those of roundoff.
+        let is_known =
+            |drawn: &ResponseBranch| drawn.line_error.iter().any(|error| error.is_finite());
+        let known = branches
+            .iter()
+            .zip(&result.branches)
+            .filter(|(_, drawn)| is_known(drawn));
         let stored = StoredResponse {
             spec: design.spec().clone(),
             key,
             range,
+            known_orbits: known_orbits(known.map(|(branch, _)| branch)),
             branches: Arc::new(branches),
             origin,
             draft: Some(draft),
@@ -182,7 +190,9 @@ impl LiveAnalysis {
         };
         let stored = self.last_response(key.path());
         let search_options = BranchOptions {
-            known_orbits: stored.map(|stored| stored.orbits()).unwrap_or_default(),
+            known_orbits: stored
+                .map(|stored| stored.known_orbits.clone())
+                .unwrap_or_default(),
             ..Default::default()
         };
         let branches = search.run_with(&search_options)?;
@@ -194,6 +204,7 @@ impl LiveAnalysis {
             spec: design.spec().clone(),
             key,
             range,
+            known_orbits: known_orbits(branches.iter()),
             branches: Arc::new(branches),
             origin: None,
             draft: None,

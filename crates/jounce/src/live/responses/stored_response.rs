@@ -21,6 +21,8 @@ pub struct StoredResponse {
     pub origin: Option<Origin>,
     /// How a draft was found; `None` for a searched response.
     pub draft: Option<Draft>,
+    /// Orbits from which the next search also starts.
+    pub known_orbits: Vec<KnownOrbit>,
 }
 
 /// Origin of updated branches.
@@ -38,23 +40,23 @@ impl StoredResponse {
     pub fn parameter<'s>(&'s self, base: &'s Model) -> Parameter<'s> {
         Parameter::new(base, &self.key, self.range.1 - self.range.0)
     }
+}
 
-    /// Returns the orbits at both ends and in the middle of each branch.
-    pub fn orbits(&self) -> Vec<KnownOrbit> {
-        let branch_orbits = |branch: &Branch| {
-            let count = branch.points.len();
-            let mut indices = vec![0, count.saturating_sub(1), count / 2];
-            indices.dedup();
-            let orbit = |index: usize| {
-                let point = branch.points.get(index)?;
-                Some(KnownOrbit {
-                    period_cycles: branch.period_cycles,
-                    state: point.orbit.start().to_vec(),
-                    parameter: point.parameter,
-                })
-            };
-            indices.into_iter().filter_map(orbit).collect::<Vec<_>>()
+/// Returns the orbits at both ends and in the middle of each branch.
+pub fn known_orbits<'b>(branches: impl Iterator<Item = &'b Branch>) -> Vec<KnownOrbit> {
+    let branch_orbits = |branch: &Branch| {
+        let count = branch.points.len();
+        let mut indices = vec![0, count.saturating_sub(1), count / 2];
+        indices.dedup();
+        let orbit = |index: usize| {
+            let point = branch.points.get(index)?;
+            Some(KnownOrbit {
+                period_cycles: branch.period_cycles,
+                state: point.orbit.start().to_vec(),
+                parameter: point.parameter,
+            })
         };
-        self.branches.iter().flat_map(branch_orbits).collect()
-    }
+        indices.into_iter().filter_map(orbit).collect::<Vec<_>>()
+    };
+    branches.flat_map(branch_orbits).collect()
 }
