@@ -157,7 +157,8 @@ impl<'p> Evaluator<'p> {
 
     fn in_condition(&self, model: &Model, effort: Effort) -> Result<InCondition, AnalysisError> {
         let goals = &self.problem.goals;
-        let mut found = match goals.iter().any(|goal| goal.needs_starts()) {
+        let has_starts = self.problem.needs_starts();
+        let mut found = match has_starts {
             true => attractors::evaluate(self.problem, model, effort)?,
             false => InCondition {
                 goals: vec![f64::NAN; goals.len()],
@@ -176,12 +177,22 @@ impl<'p> Evaluator<'p> {
             true => Some(run_goals::run(self.problem, model, &mut found.limits)?),
             false => None,
         };
+        // Branches cost most of an evaluation. A first evaluation omits them where the goals do not
+        // matter: where it only looks for an orbit, or beyond a limit.
+        let mut limits = self.problem.limits.iter().zip(&found.limits);
+        let is_ranked = match effort {
+            Effort::Probe => false,
+            Effort::Screening => limits.all(|(limit, value)| limit.violation(*value) == 0.0),
+            Effort::Full => true,
+        };
         for (goal, value) in goals.iter().zip(&mut found.goals) {
             match goal {
                 Goal::Bandwidth => {
-                    let has_starts = goals.iter().any(|goal| goal.needs_starts());
                     let known = has_starts.then_some(&found.orbits[..]);
-                    *value = bandwidth::half_power_hz(model, known)?;
+                    *value = match is_ranked {
+                        true => bandwidth::half_power_hz(model, known)?,
+                        false => 0.0,
+                    };
                 }
                 Goal::MeanPower | Goal::TimeOn | Goal::PowerMargin => {
                     *value = run

@@ -184,19 +184,24 @@ impl Problem {
         all
     }
 
-    /// True where the goal is the power of an orbit in one condition, so that a search can follow
-    /// the orbit.
+    /// True where a goal is the power of an orbit in one condition, so that a search can follow the
+    /// orbit.
     pub(crate) fn follows_orbit(&self) -> bool {
-        self.goals[0].needs_starts() && self.conditions.len() == 1
+        self.needs_starts() && self.conditions.len() == 1
     }
 
     /// Returns the effort of a first evaluation: a goal without starts has only one, unless limits are
     /// examined under noise.
     pub(crate) fn screening(&self) -> Effort {
-        match self.goals.iter().any(|goal| goal.needs_starts()) || self.limits_noise() {
+        match self.needs_starts() || self.limits_noise() {
             true => Effort::Screening,
             false => Effort::Full,
         }
+    }
+
+    /// True where a goal needs the attractors of a cloud of starts.
+    pub(crate) fn needs_starts(&self) -> bool {
+        self.goals.iter().any(|goal| goal.needs_starts())
     }
 
     /// True where a limit depends on the realisation of the noise.

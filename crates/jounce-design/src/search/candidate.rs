@@ -36,6 +36,12 @@ impl Candidate {
     }
 }
 
+/// True where a value exceeds another one by more than a fraction of the larger magnitude of both, whatever
+/// their signs are.
+pub fn exceeds(value: f64, other: f64, fraction: f64) -> bool {
+    value - other > fraction * value.abs().max(other.abs())
+}
+
 fn goal(evaluation: &Evaluation) -> f64 {
     evaluation.goals.first().copied().unwrap_or(0.0)
 }
@@ -59,6 +65,22 @@ mod tests {
         Candidate {
             place: Vec::new(),
             evaluation,
+        }
+    }
+
+    #[test]
+    fn a_gain_is_relative_to_the_larger_magnitude() {
+        for (value, other) in [
+            (2.0, 1.0),
+            (1.0, -1.0),
+            (-1.0, -2.0),
+            (0.0, -1.0),
+            (1.0, 0.0),
+        ] {
+            assert!(exceeds(value, other, 0.1) && !exceeds(other, value, 0.1));
+        }
+        for (value, other) in [(1.05, 1.0), (-1.0, -1.05), (0.0, 0.0), (-1.0, -1.0)] {
+            assert!(!exceeds(value, other, 0.1), "{value} {other}");
         }
     }
 

@@ -41,13 +41,13 @@ pub struct Evolution<'e> {
 }
 
 impl<'e> Evolution<'e> {
-    /// Starts with a round of places.
+    /// Starts with as many places as the population has members.
     pub fn new(evaluator: &'e Evaluator<'e>) -> Self {
         let problem = evaluator.problem;
         Self {
             evaluator,
             places: Places::new(problem.free.len(), problem.seed),
-            open: ROUND,
+            open: population(problem.free.len()),
             members: Vec::new(),
             trials: 0,
             used: 0,
@@ -114,9 +114,8 @@ impl<'e> Evolution<'e> {
             }
         }
         self.members.sort_by(Candidate::rank);
-        let keys = self.evaluator.problem.free.len();
         self.members
-            .truncate(LEAST_MEMBERS.max(MEMBERS_PER_KEY * keys));
+            .truncate(population(self.evaluator.problem.free.len()));
     }
 
     /// Returns trials for the next members in turn.
@@ -145,6 +144,11 @@ impl<'e> Evolution<'e> {
             self.members[index] = trial;
         }
     }
+}
+
+/// Returns the number of members of a population.
+pub fn population(keys: usize) -> usize {
+    LEAST_MEMBERS.max(MEMBERS_PER_KEY * keys)
 }
 
 /// Returns a trial from a member, a guide and two others.

@@ -74,6 +74,23 @@ impl Found {
         self.full.push(candidate.clone());
     }
 
+    /// Counts an evaluated design; false where the search ends before it.
+    pub fn counted(
+        &mut self,
+        evaluator: &Evaluator<'_>,
+        budget: &Budget<'_>,
+        candidate: &Candidate,
+    ) -> bool {
+        if self.ends(evaluator, budget, 1) {
+            return false;
+        }
+        evaluator.add(1);
+        if let Some(reason) = &candidate.evaluation.failure {
+            self.failure.get_or_insert_with(|| reason.clone());
+        }
+        true
+    }
+
     /// Counts a screened design and, where the design deserves it, evaluates it with all starts;
     /// `None` where the search ends.
     pub fn take(
@@ -83,12 +100,8 @@ impl Found {
         candidate: Candidate,
         deserves: impl FnOnce(&Self, &Candidate) -> bool,
     ) -> Result<Option<Candidate>, DesignError> {
-        if self.ends(evaluator, budget, 1) {
+        if !self.counted(evaluator, budget, &candidate) {
             return Ok(None);
-        }
-        evaluator.add(1);
-        if let Some(reason) = &candidate.evaluation.failure {
-            self.failure.get_or_insert_with(|| reason.clone());
         }
         if let Some(known) = self.full.iter().find(|one| one.place == candidate.place) {
             return Ok(Some(known.clone()));

@@ -11,6 +11,7 @@ mod rounds;
 mod sampling;
 
 pub use candidate::Candidate;
+use candidate::exceeds;
 pub use follow::Followed;
 pub use sampling::Places;
 

@@ -4,7 +4,7 @@
 
 use super::evolution::Evolution;
 use super::found::{Budget, Found};
-use super::{Candidate, GAIN};
+use super::{Candidate, GAIN, exceeds};
 use crate::DesignError;
 use crate::evaluation::Evaluator;
 
@@ -42,7 +42,7 @@ fn has_gained(before: Option<&Candidate>, after: Option<&Candidate>) -> bool {
     };
     let (a, b) = (&before.evaluation, &after.evaluation);
     match a.is_feasible() {
-        true => b.goals[0] > a.goals[0] * (1.0 + GAIN),
+        true => exceeds(b.goals[0], a.goals[0], GAIN),
         false => b.violation < a.violation * (1.0 - GAIN),
     }
 }
