@@ -178,7 +178,7 @@ impl Multistart<'_, '_> {
         }
     }
 
-    /// Lets the evolution go on where refinements do not measure the goal: as long as its last step has
+    /// Continues the evolution where refinements do not measure the goal: as long as its last step has
     /// found a better design, or it has had fewer evaluations than the refinements. False where the
     /// search ends.
     fn evolved(&mut self) -> Result<bool, DesignError> {
