@@ -156,7 +156,9 @@ impl FrontSearch<'_, '_> {
 fn trials(members: &[Candidate], seed: u64, first: usize) -> Vec<Vec<f64>> {
     let trial = |number: usize| {
         let mut stream = RandomStream::new(seed, number as u64);
-        let filling = (number % 2 == 0).then(|| filling(members, &mut stream));
+        let filling = number
+            .is_multiple_of(2)
+            .then(|| filling(members, &mut stream));
         if let Some(place) = filling.flatten() {
             return place;
         }

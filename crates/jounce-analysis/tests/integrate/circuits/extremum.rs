@@ -48,10 +48,7 @@ fn a_switch_closes_once_where_roundoff_places_the_current_past_the_next_extremum
     let kernel = kernel(System::assemble(&spec, modes).unwrap());
     for tolerance in [1e-6, 1e-7] {
         let energies = from_rest(&kernel, 1.0, tolerance).energies;
-        let (switch_j, residual) = (
-            energies.rectified[0].switch_j,
-            energies.residual_relative(),
-        );
+        let (switch_j, residual) = (energies.rectified[0].switch_j, energies.residual_relative());
         eprintln!("{switch_j:e} J in the switch, residual {residual:.1e}");
         assert!(switch_j > 0.0 && residual.abs() < tolerance);
     }
