@@ -41,13 +41,13 @@ pub struct Evolution<'e> {
 }
 
 impl<'e> Evolution<'e> {
-    /// Starts with as many places as the population has members.
+    /// Starts with a round of places.
     pub fn new(evaluator: &'e Evaluator<'e>) -> Self {
         let problem = evaluator.problem;
         Self {
             evaluator,
             places: Places::new(problem.free.len(), problem.seed),
-            open: population(problem.free.len()),
+            open: ROUND,
             members: Vec::new(),
             trials: 0,
             used: 0,
