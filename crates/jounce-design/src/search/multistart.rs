@@ -7,8 +7,7 @@
 //! combination of choices is a search of its own, which must have found its own optimum as often.
 //!
 //! Where refinements lead to more power than any design has with its starts, the starts decide and not
-//! the orbits. Then a refinement ends after its first stage, and a differential evolution of the goal has
-//! at least as many evaluations as the refinements, and more as long as it finds better designs.
+//! the orbits. Then a differential evolution of the goal has as many evaluations as the refinements.
 //!
 //! Source of the method: A. H. G. Rinnooy Kan, G. T. Timmer, Math. Program. 39 (1987) 27, multistart.
 
@@ -137,7 +136,7 @@ impl Multistart<'_, '_> {
             };
             let refined: Vec<Vec<Refined>> = batch.par_iter().map(pair).collect();
             for (start, stages) in batch.iter().zip(refined) {
-                let (mut designs, mut last) = (0, None);
+                let mut designs = 0;
                 for stage in &stages {
                     let step = stage.designs - designs;
                     if self.found.ends(self.evaluator, self.budget, step) {
@@ -148,17 +147,14 @@ impl Multistart<'_, '_> {
                     if !self.evaluated(start, stage)? {
                         return Ok(false);
                     }
-                    last = Some(stage).filter(|stage| stage.designs > 0);
-                    if !self.measures_goal() {
-                        break;
-                    }
                 }
-                let is_larger = |last: &&&Refined| {
+                let last = stages.last().filter(|last| last.designs > 0);
+                let is_larger = |last: &&Refined| {
                     let largest = largest.as_ref();
                     largest.is_none_or(|(_, largest)| value(last) > value(largest))
                 };
-                if let Some(last) = last.as_ref().filter(is_larger) {
-                    largest = Some((start.clone(), (*last).clone()));
+                if let Some(last) = last.filter(is_larger) {
+                    largest = Some((start.clone(), last.clone()));
                 }
                 self.reached.extend(last.map(|last| Reached {
                     variant: problem.variant(&start.place),
@@ -178,22 +174,18 @@ impl Multistart<'_, '_> {
         }
     }
 
-    /// Continues the evolution where refinements do not measure the goal: as long as its last step has
-    /// found a better design, or it has had fewer evaluations than the refinements. False where the
-    /// search ends.
+    /// Lets the evolution have as many evaluations as the refinements where these do not measure the
+    /// goal; false where the search ends.
     fn evolved(&mut self) -> Result<bool, DesignError> {
-        let mut has_gained = true;
         while !self.measures_goal()
-            && (has_gained || 2 * self.evolution.used < self.evaluator.count())
+            && 2 * self.evolution.used < self.evaluator.count()
             && !self.evolution.has_converged()
         {
-            let improvements = self.found.trace.len();
             if self.found.ends(self.evaluator, self.budget, 1)
                 || !self.evolution.advance(self.budget, self.found)?
             {
                 return Ok(false);
             }
-            has_gained = self.found.trace.len() > improvements;
         }
         Ok(true)
     }
