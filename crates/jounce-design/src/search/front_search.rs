@@ -2,8 +2,8 @@
 //!
 //! Where a goal is the power of an orbit, the search first follows the orbit of the best of a few places
 //! to its largest power. Then places fill the space, and trials follow in batches. One half of them are
-//! those of differential evolution. The other half fill the front: a value of a goal is drawn evenly
-//! between the ends of the front, and the trial lies between its two neighbours there. A design that no
+//! those of differential evolution. The other half fill gaps of the front: a value of a goal is drawn
+//! evenly between the ends of the front, and the trial lies between the two designs next to it. A design that no
 //! other one beats is evaluated with all starts before it counts. Of all designs, those of the lower
 //! rank stay, and of one rank those with the wider distance to their neighbours.
 //!
@@ -73,8 +73,8 @@ pub fn search(
 }
 
 impl FrontSearch<'_, '_> {
-    /// Follows the orbit of the best of some places, and of the first design, to its largest power;
-    /// false where the search ends.
+    /// Follows an orbit to its largest power: that of the best of some places and the first design.
+    /// Returns false where the search ends.
     fn begun(&mut self, places: Vec<Vec<f64>>) -> Result<bool, DesignError> {
         if self.found.ends(self.evaluator, self.budget, places.len()) {
             return Ok(false);
@@ -106,8 +106,8 @@ impl FrontSearch<'_, '_> {
         self.taken(ends)
     }
 
-    /// Evaluates places, those that no design beats with all starts, and selects the next members;
-    /// false where the search ends.
+    /// Evaluates places with few starts, and with all starts where no design beats them. Then selects
+    /// the next members. Returns false where the search ends.
     fn taken(&mut self, mut places: Vec<Vec<f64>>) -> Result<bool, DesignError> {
         let (evaluator, budget) = (self.evaluator, self.budget);
         if self.found.ends(evaluator, budget, 1) {
@@ -152,7 +152,7 @@ impl FrontSearch<'_, '_> {
     }
 }
 
-/// Returns trials, by turns along the front and by differences of members.
+/// Returns trials: alternately a place between neighbours of the front and a mutant of a member.
 fn trials(members: &[Candidate], seed: u64, first: usize) -> Vec<Vec<f64>> {
     let trial = |number: usize| {
         let mut stream = RandomStream::new(seed, number as u64);

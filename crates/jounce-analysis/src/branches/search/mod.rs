@@ -321,16 +321,7 @@ impl BranchSearch<'_> {
             unknown: method.unknown_of(&shifted, at.parameter).ok()?,
             parameter: at.parameter,
         };
-        let difference = guess
-            .unknown
-            .iter()
-            .zip(&origin.unknown)
-            .map(|(a, b)| a - b)
-            .collect();
-        let direction = metric.unit(Direction {
-            unknown: difference,
-            parameter: 0.0,
-        });
+        let direction = metric.unit(origin.to(&guess));
         let corrected = correct(method, &tracer.corrector, &metric, &direction, guess).ok()?;
         let direction = tangent(&corrected.local, &metric, &direction)?;
         Some((corrected, direction))

@@ -4,8 +4,8 @@ use crate::plants::{from_rest, kernel};
 use jounce_model::plant::System;
 use jounce_spec::Spec;
 
-/// A film on a cantilever that rests against a stiff stop. The current of the film passes zero at a
-/// rate of 5e-8, so that the roundoff of the time of an extremum is larger than that of the current.
+/// A film on a cantilever that rests against a stiff stop. The time of an extremum of its charge has
+/// roundoff, so that the current may lie on either side of zero there.
 const PRESSED_FILM: &str = r#"
 [beam.a]
 material = "steel"
