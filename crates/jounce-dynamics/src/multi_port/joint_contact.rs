@@ -35,6 +35,7 @@ impl Integrator<'_> {
     ) -> Result<(), IntegrationError> {
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / self.kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
+        let mut coarsest = Kernel::coarsest();
         while self.time_s < end_s
             && self.switching.pending_event.is_none()
             && !self.hits_rigid_stop()
@@ -48,9 +49,11 @@ impl Integrator<'_> {
             }
             self.release()?;
             let ports = self.ports_with_bases();
-            let Some(mut level) = ports.iter().map(|(p, _)| self.ports[*p].level).max() else {
+            let Some(wanted) = ports.iter().map(|(p, _)| self.ports[*p].level).max() else {
                 return Ok(());
             };
+            let first = wanted.max(coarsest);
+            let mut level = first;
             loop {
                 let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
                 let landing = Kernel::length_s(level) >= remaining_s;
@@ -67,6 +70,12 @@ impl Integrator<'_> {
                         if landing {
                             self.time_s = end_s;
                         }
+                        // A step as long as the rejected one would often be rejected again.
+                        coarsest = if level > first {
+                            level - LEVELS_PER_OCTAVE
+                        } else {
+                            Kernel::coarsest()
+                        };
                         break;
                     }
                     StepOutcome::Strikes(strikes)
