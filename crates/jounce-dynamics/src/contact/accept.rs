@@ -6,7 +6,7 @@ use super::step::{ContactStep, SolvedStep};
 use crate::flow::row::FlowRow;
 use crate::flow::state::{add_spread_response, dot, spread};
 use crate::force_response::basis::NODES;
-use crate::integrator::Integrator;
+use crate::integrator::{Integrator, TrialState};
 use crate::kernel::ForceBasis;
 use crate::ports::state::ContactState;
 use crate::record::trajectory::PortForce;
@@ -26,30 +26,42 @@ impl Integrator<'_> {
         law: L,
         step: &ContactStep,
         solved: &SolvedStep,
+        trial: &mut TrialState,
     ) {
         let force = nodal(&solved.force);
         if self.record.is_some() {
             self.note(step.table.length_s, &[PortForce::new(step, &force)]);
         }
-        step.table.flow.apply(w, &self.y, &mut self.next);
-        self.apply_force(w, step, &force);
-        self.end_contact_step(w, step);
+        step.table.flow.apply(w, &self.y, &mut trial.y);
+        self.apply_force(w, step, &force, trial);
+        self.end_contact_step(w, step, trial);
         self.update_port_in_contact(w, law, step, solved);
     }
 
-    /// Applies the nodal forces of a step, last lane 0: to the state at its end, in `next`, and to
-    /// the energy meters.
+    /// Applies the nodal forces of a step, last lane 0: to the state at its end, and to the energy
+    /// meters.
     #[inline(always)]
-    pub(crate) fn apply_force<W: Simd>(&mut self, w: W, step: &ContactStep, force: &F64x8) {
-        self.push_on(w, step, force);
-        self.integrate_force(w, step, force);
+    pub(crate) fn apply_force<W: Simd>(
+        &mut self,
+        w: W,
+        step: &ContactStep,
+        force: &F64x8,
+        trial: &mut TrialState,
+    ) {
+        self.push_on(w, step, force, trial);
+        self.integrate_force(w, step, force, &trial.from_start);
     }
 
-    /// Advances to the end of a step, whose state is in `next`; the ports are not updated.
+    /// Advances to the end of a step; the ports are not updated.
     #[inline(always)]
-    pub(crate) fn end_contact_step<W: Simd>(&mut self, w: W, step: &ContactStep) {
+    pub(crate) fn end_contact_step<W: Simd>(
+        &mut self,
+        w: W,
+        step: &ContactStep,
+        trial: &mut TrialState,
+    ) {
         let length_s = step.table.length_s;
-        self.enter_next(w, length_s, self.time_s + length_s);
+        self.enter_trial(w, length_s, self.time_s + length_s, trial);
         for tone in &mut self.tones {
             tone.turn *= tone.samples[step.port].end();
         }
@@ -158,23 +170,34 @@ impl Integrator<'_> {
         }
     }
 
-    /// Adds the effect of the nodal forces of a step, last lane 0, on the state at its end to
-    /// `next`.
+    /// Adds the effect of the nodal forces of a step, last lane 0, to the state at its end.
     #[inline(always)]
-    pub(crate) fn push_on<W: Simd>(&mut self, w: W, step: &ContactStep, force: &F64x8) {
+    pub(crate) fn push_on<W: Simd>(
+        &self,
+        w: W,
+        step: &ContactStep,
+        force: &F64x8,
+        trial: &mut TrialState,
+    ) {
         let column = &self.kernel.vectors[step.port].column;
         step.table
             .duhamel
-            .act(w, column, force, &mut self.next, &mut self.from_start);
+            .act(w, column, force, &mut trial.y, &mut trial.from_start);
     }
 
     /// Adds the nodal forces of a step to the integrals that the energy meters need.
     #[inline(always)]
-    fn integrate_force<W: Simd>(&mut self, w: W, step: &ContactStep, force: &F64x8) {
+    fn integrate_force<W: Simd>(
+        &mut self,
+        w: W,
+        step: &ContactStep,
+        force: &F64x8,
+        from_start: &[F64x8],
+    ) {
         let (table, basis, p) = (step.table, step.basis, step.port);
         let vectors = &self.kernel.vectors[p];
         let spread = spread(w, force);
-        let motion = (self.from_start.as_slice(), self.y.as_slice());
+        let motion = (from_start, self.y.as_slice());
         for ((sum, row), push) in self
             .integrals
             .loads_j

@@ -12,7 +12,7 @@ pub(crate) mod step_size_control;
 
 use crate::error::IntegrationError;
 use crate::force_response::basis::NODES;
-use crate::integrator::Integrator;
+use crate::integrator::{Integrator, TrialState};
 use crate::kernel::{ForceBasis, Kernel};
 use crate::ports::state::ContactState;
 use crate::tables::joint::StepLength;
@@ -75,6 +75,7 @@ impl Integrator<'_> {
         law: L,
         (p, with_others): (usize, bool),
         end_s: f64,
+        trial: &mut TrialState,
     ) -> Result<(), IntegrationError> {
         let port = &self.ports[p];
         let (mut level, mut entering) = (port.level, port.entering && port.rate_m_s > 0.0);
@@ -109,7 +110,7 @@ impl Integrator<'_> {
                     {
                         break;
                     }
-                    self.accept_step(w, law, &step, &solved);
+                    self.accept_step(w, law, &step, &solved, trial);
                     if landing {
                         self.time_s = end_s;
                     }

@@ -7,19 +7,19 @@
 
 pub(crate) mod certificate;
 pub(crate) mod crossing;
+mod first_crossing;
 pub(crate) mod forced;
 pub(crate) mod table;
 pub(crate) mod verdict;
 
 use crate::error::IntegrationError;
 use crate::flow::state::{dot, dot_abs};
-use crate::integrator::Integrator;
+use crate::integrator::{Integrator, TrialState};
 use crate::kernel::Kernel;
 use crate::ports::phasor::Phasor;
 use crate::ports::state::{ContactState, PortState};
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use certificate::FlightStep;
-use crossing::Crossing;
 use jounce_simd::{F64x8, Simd};
 use verdict::StepOutcome;
 
@@ -36,16 +36,21 @@ struct TrialFlight {
 impl Integrator<'_> {
     /// Integrates the flight of all ports until one of them has an impact or until the end.
     #[inline(always)]
-    pub(crate) fn fly<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
+    pub(crate) fn fly<W: Simd>(
+        &mut self,
+        w: W,
+        end_s: f64,
+        trial: &mut TrialState,
+    ) -> Result<(), IntegrationError> {
         // The loops over the ports vanish where one port is compiled on its own.
         match self.kernel.plant.ports.len() {
             1 => w.out_of_line(
                 #[inline(always)]
-                || self.fly_ports(w, 1, end_s),
+                || self.fly_ports(w, 1, end_s, trial),
             ),
             ports => w.out_of_line(
                 #[inline(always)]
-                || self.fly_ports(w, ports, end_s),
+                || self.fly_ports(w, ports, end_s, trial),
             ),
         }
     }
@@ -56,13 +61,14 @@ impl Integrator<'_> {
         w: W,
         ports: usize,
         end_s: f64,
+        trial: &mut TrialState,
     ) -> Result<(), IntegrationError> {
         let (mut grow, begun_s) = (LEVELS_PER_OCTAVE, self.time_s);
         while self.time_s < end_s {
             let level = self.flight_level;
             let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
             let landing = Kernel::length_s(level) >= remaining_s;
-            let trial = if landing {
+            let step = if landing {
                 TrialFlight {
                     level: level.max(Kernel::level_within(remaining_s) - 1),
                     length_s: remaining_s,
@@ -75,9 +81,9 @@ impl Integrator<'_> {
                     landing,
                 }
             };
-            match self.attempt(w, ports, trial) {
+            match self.attempt(w, ports, step, trial) {
                 StepOutcome::Clear => {
-                    self.accept_flight(w, ports, trial, end_s);
+                    self.accept_flight(w, ports, step, end_s, trial);
                     let longer = (level - grow).max(Kernel::coarsest());
                     // If this flight lasts as long as the previous one, a step much longer than the
                     // remaining time would be rejected.
@@ -87,7 +93,7 @@ impl Integrator<'_> {
                     grow = LEVELS_PER_OCTAVE;
                 }
                 StepOutcome::Strikes(strikes) => {
-                    self.advance_to_first_crossing(w, &strikes);
+                    self.advance_to_first_crossing(w, &strikes, trial);
                     self.flight_s = self.time_s - begun_s;
                     return Ok(());
                 }
@@ -95,7 +101,7 @@ impl Integrator<'_> {
                     self.work.flight_rejections += 1;
                     // The step after the next would fail as this one did.
                     grow = 0;
-                    self.flight_level = (trial.level + down).min(Kernel::finest());
+                    self.flight_level = (step.level + down).min(Kernel::finest());
                     if (0..ports).any(|p| !self.ports[p].penetration_m.is_finite()) {
                         return Err(IntegrationError::NotFinite {
                             time_s: self.time_s,
@@ -107,20 +113,25 @@ impl Integrator<'_> {
         Ok(())
     }
 
-    /// Evaluates a step: the state at its end is in `next`, the motion of each port there in
-    /// `motion_at_end`.
+    /// Evaluates a step: the state at its end, and the motion of each port there.
     #[inline(always)]
-    fn attempt<W: Simd>(&mut self, w: W, ports: usize, trial: TrialFlight) -> StepOutcome {
+    fn attempt<W: Simd>(
+        &mut self,
+        w: W,
+        ports: usize,
+        step: TrialFlight,
+        trial: &mut TrialState,
+    ) -> StepOutcome {
         let TrialFlight {
             level,
             length_s,
             landing,
-        } = trial;
+        } = step;
         if landing {
-            self.propagate_to(w, length_s);
+            self.propagate_to(w, length_s, trial);
         } else {
             let flow = self.kernel.tables(level).flow(self.kernel);
-            flow.apply(w, &self.y, &mut self.next);
+            flow.apply(w, &self.y, &mut trial.y);
         }
         let mut outcome = StepOutcome::Clear;
         for p in 0..ports {
@@ -131,69 +142,53 @@ impl Integrator<'_> {
             let (drive, motion) = if landing {
                 (
                     self.drive_after(p, length_s),
-                    self.motion_after(w, p, length_s),
+                    self.motion_after(w, p, length_s, trial),
                 )
             } else {
                 let drive = self.drive_after_level(p, level);
                 let PortState { rows, gap_m, .. } = &self.ports[p];
                 let motion = [
-                    dot(w, &rows.displacement, &self.next) + drive[0] - gap_m,
-                    dot(w, &rows.velocity, &self.next) + drive[1],
+                    dot(w, &rows.displacement, &trial.y) + drive[0] - gap_m,
+                    dot(w, &rows.velocity, &trial.y) + drive[1],
                 ];
                 (drive, motion)
             };
-            self.ports[p].motion_at_end = motion;
-            let step = self.step_from(w, (p, &self.y), level, length_s, motion, drive);
-            let verdict = self.judge_with_others(w, p, &step, motion[0], 0.0);
+            trial.motion[p] = motion;
+            let ends = (trial.y.as_slice(), motion, drive);
+            let flight = self.step_from(w, (p, &self.y), level, length_s, ends);
+            let verdict = self.judge_with_others(w, p, &flight, motion[0], 0.0);
             outcome.add(p, verdict);
         }
         outcome
     }
 
-    /// Advances to the end of a clear step, whose state is in `next`.
+    /// Advances to the end of a clear step.
     #[inline(always)]
-    fn accept_flight<W: Simd>(&mut self, w: W, ports: usize, trial: TrialFlight, end_s: f64) {
-        if trial.landing {
-            self.advance_state(w, trial.length_s, end_s);
+    fn accept_flight<W: Simd>(
+        &mut self,
+        w: W,
+        ports: usize,
+        step: TrialFlight,
+        end_s: f64,
+        trial: &mut TrialState,
+    ) {
+        if step.landing {
+            self.advance_state(w, step.length_s, end_s, trial);
         } else {
-            self.note(trial.length_s, &[]);
+            self.note(step.length_s, &[]);
             for tone in &mut self.tones {
-                let turn = tone.end(trial.level);
+                let turn = tone.end(step.level);
                 tone.turn *= turn;
             }
-            self.enter_next(w, trial.length_s, self.time_s + trial.length_s);
+            self.enter_trial(w, step.length_s, self.time_s + step.length_s, trial);
         }
         for p in 0..ports {
             let port = &mut self.ports[p];
             if !port.clearance.is_unseen {
-                [port.penetration_m, port.rate_m_s] = port.motion_at_end;
+                [port.penetration_m, port.rate_m_s] = trial.motion[p];
             }
         }
         self.work.flight_steps += 1;
-    }
-
-    /// Advances to the first of several crossings.
-    #[inline(always)]
-    fn advance_to_first_crossing<W: Simd>(&mut self, w: W, strikes: &[(usize, Crossing)]) {
-        w.out_of_line(
-            #[inline(always)]
-            || {
-                let mut first = (0, f64::INFINITY, [0.0; 2]);
-                for (p, crossing) in strikes {
-                    let (after_s, motion) = self.locate(w, *p, *crossing);
-                    if after_s < first.1 {
-                        first = (*p, after_s, motion);
-                    }
-                }
-                let (p, after_s, motion) = first;
-                if strikes.len() > 1 {
-                    self.propagate_to(w, after_s);
-                }
-                self.advance_state(w, after_s, self.time_s + after_s);
-                self.set_motion(p, motion);
-                self.join(w, p);
-            },
-        );
     }
 
     /// Returns displacement and velocity of a port under the drive after a level.
@@ -209,7 +204,8 @@ impl Integrator<'_> {
     }
 
     /// Returns the certificate data of a step from a given start state, which may differ from the
-    /// current one in its fast decays.
+    /// current one in its fast decays, to a given end: the state there, the motion of the port, and
+    /// its part by the drive.
     #[inline(always)]
     pub(super) fn step_from<W: Simd>(
         &self,
@@ -217,8 +213,7 @@ impl Integrator<'_> {
         (p, start): (usize, &[F64x8]),
         level: i32,
         length_s: f64,
-        motion: [f64; 2],
-        drive: [f64; 2],
+        (end, motion, drive): (&[F64x8], [f64; 2], [f64; 2]),
     ) -> FlightStep {
         let (flight, port) = (
             self.kernel.tables(level).flight(self.kernel, p),
@@ -240,11 +235,11 @@ impl Integrator<'_> {
             let slow = dot(w, &fast.slow_displacement, start) + displacement - port.gap_m;
             step.distance_m = [
                 slow,
-                dot(w, &fast.slow_displacement, &self.next) + drive[0] - port.gap_m,
+                dot(w, &fast.slow_displacement, end) + drive[0] - port.gap_m,
             ];
             step.speed_m_s = [
                 dot(w, &fast.slow_velocity, start) + speed,
-                dot(w, &fast.slow_velocity, &self.next) + drive[1],
+                dot(w, &fast.slow_velocity, end) + drive[1],
             ];
             step.fast_m = port.penetration_m - slow;
             step.fast_bound_m = dot_abs(w, &fast.displacement_bound, start);
@@ -279,57 +274,6 @@ impl Integrator<'_> {
             .fold(self.excitation.motion_after(p, time_s), |a, b| {
                 [a[0] + b[0], a[1] + b[1]]
             })
-    }
-
-    /// Returns the time until a port hits its stop, by Newton on the exact flow inside the proved
-    /// interval, and its motion then; the state there is in `next`.
-    #[inline(always)]
-    pub(super) fn locate<W: Simd>(
-        &mut self,
-        w: W,
-        p: usize,
-        crossing: Crossing,
-    ) -> (f64, [f64; 2]) {
-        w.out_of_line(
-            #[inline(always)]
-            || self.locate_crossing(w, p, crossing),
-        )
-    }
-
-    #[inline(always)]
-    fn locate_crossing<W: Simd>(&mut self, w: W, p: usize, crossing: Crossing) -> (f64, [f64; 2]) {
-        let Crossing {
-            mut from_s,
-            mut guess_s,
-            mut to_s,
-        } = crossing;
-        self.propagate_to(w, guess_s);
-        let mut motion = self.motion_after(w, p, guess_s);
-        for _ in 0..20 {
-            if motion[0] > 0.0 {
-                to_s = guess_s
-            } else {
-                from_s = guess_s
-            }
-            let newton = guess_s - motion[0] / motion[1];
-            let next = if newton >= from_s && newton <= to_s {
-                newton
-            } else {
-                0.5 * (from_s + to_s)
-            };
-            let change = (next - guess_s).abs();
-            self.propagate_from(w, guess_s, next);
-            let before = motion;
-            motion = self.motion_after(w, p, next);
-            guess_s = next;
-            // The error left by Newton is the change times half the relative change of the rate:
-            // here roundoff, and `next` has been evaluated.
-            let remaining_error = 0.5 * change * ((motion[1] - before[1]) / motion[1]).abs();
-            if remaining_error <= 1e-15 * guess_s.min(1.0 / self.kernel.fastest_rad_s) {
-                break;
-            }
-        }
-        (guess_s, motion)
     }
 
     /// Puts a port into contact at the current time.

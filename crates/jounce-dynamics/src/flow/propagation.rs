@@ -2,7 +2,7 @@
 
 use super::state::dot;
 use crate::flow::MAX_SERIES_ARGUMENT;
-use crate::integrator::Integrator;
+use crate::integrator::{Integrator, TrialState};
 use crate::ports::state::PortState;
 use jounce_linalg::c64;
 use jounce_simd::Simd;
@@ -33,50 +33,61 @@ impl Integrator<'_> {
         motion
     }
 
-    /// Sets `next` to the state after an exact flow over any time.
+    /// Sets a trial state to that after an exact flow over any time.
     #[inline(always)]
-    pub(crate) fn propagate_to<W: Simd>(&mut self, w: W, length_s: f64) {
+    pub(crate) fn propagate_to<W: Simd>(&self, w: W, length_s: f64, trial: &mut TrialState) {
         if let Some(flow) = self.excitation.flow_over(length_s) {
-            flow.apply(w, &self.y, &mut self.next);
+            flow.apply(w, &self.y, &mut trial.y);
             return;
         }
-        self.next.copy_from_slice(&self.y);
-        self.propagate_remainder(w, length_s);
+        trial.y.copy_from_slice(&self.y);
+        self.propagate_remainder(w, length_s, trial);
     }
 
-    /// Moves `next` from one time ahead of the current one to another. Over a short time it moves
+    /// Moves a trial state from one time ahead of the current one to another. Over a short time it moves
     /// on or back, otherwise from the current time: the roundoff of a long flow would hide a point
     /// that hardly leaves its stop.
     #[inline(always)]
-    pub(crate) fn propagate_from<W: Simd>(&mut self, w: W, from_s: f64, to_s: f64) {
+    pub(crate) fn propagate_from<W: Simd>(
+        &self,
+        w: W,
+        [from_s, to_s]: [f64; 2],
+        trial: &mut TrialState,
+    ) {
         let change_s = to_s - from_s;
         if change_s.abs() * self.kernel.stiffest_rad_s <= MAX_SERIES_ARGUMENT {
-            self.propagate_remainder(w, change_s);
+            self.propagate_remainder(w, change_s, trial);
         } else {
-            self.propagate_to(w, to_s);
+            self.propagate_to(w, to_s, trial);
         }
     }
 
-    /// Propagates `next` over a time, or back over a short one.
+    /// Propagates a trial state over a time, or back over a short one.
     ///
     /// The time is split into levels, longest first, and a remainder so short that the power series
     /// of the flow is exact.
     #[inline(always)]
-    fn propagate_remainder<W: Simd>(&mut self, w: W, change_s: f64) {
+    fn propagate_remainder<W: Simd>(&self, w: W, change_s: f64, trial: &mut TrialState) {
         let kernel = self.kernel;
         let (flows, rest_s) = kernel.flows_within(change_s);
         kernel
             .generator
-            .carry(w, &flows, (rest_s, kernel.stiffest_rad_s), &mut self.next);
+            .carry(w, &flows, (rest_s, kernel.stiffest_rad_s), &mut trial.y);
     }
 
-    /// Returns penetration and rate of a port in `next`, `length_s` after the current time.
+    /// Returns penetration and rate of a port in a trial state, `length_s` after the current time.
     #[inline(always)]
-    pub(crate) fn motion_after<W: Simd>(&self, w: W, p: usize, length_s: f64) -> [f64; 2] {
+    pub(crate) fn motion_after<W: Simd>(
+        &self,
+        w: W,
+        p: usize,
+        length_s: f64,
+        trial: &TrialState,
+    ) -> [f64; 2] {
         let PortState { rows, gap_m, .. } = &self.ports[p];
         let mut motion = [
-            dot(w, &rows.displacement, &self.next) - gap_m,
-            dot(w, &rows.velocity, &self.next),
+            dot(w, &rows.displacement, &trial.y) - gap_m,
+            dot(w, &rows.velocity, &trial.y),
         ];
         let [displacement, speed] = self.excitation.motion_after(p, length_s);
         motion = [motion[0] + displacement, motion[1] + speed];
@@ -88,21 +99,33 @@ impl Integrator<'_> {
         motion
     }
 
-    /// Ends a flight of any length in the state in `next`; the ports are not updated.
+    /// Ends a flight of any length in a trial state; the ports are not updated.
     #[inline(always)]
-    pub(crate) fn advance_state<W: Simd>(&mut self, w: W, length_s: f64, end_s: f64) {
+    pub(crate) fn advance_state<W: Simd>(
+        &mut self,
+        w: W,
+        length_s: f64,
+        end_s: f64,
+        trial: &mut TrialState,
+    ) {
         self.note(length_s, &[]);
         self.tones.iter_mut().for_each(|tone| tone.set(end_s));
-        self.enter_next(w, length_s, end_s);
+        self.enter_trial(w, length_s, end_s, trial);
     }
 
-    /// Enters the state in `next` at the end of a step; tones and ports are not updated.
+    /// Enters a trial state at the end of its step; tones and ports are not updated.
     #[inline(always)]
-    pub(crate) fn enter_next<W: Simd>(&mut self, w: W, length_s: f64, end_s: f64) {
-        std::mem::swap(&mut self.y, &mut self.next);
+    pub(crate) fn enter_trial<W: Simd>(
+        &mut self,
+        w: W,
+        length_s: f64,
+        end_s: f64,
+        trial: &mut TrialState,
+    ) {
+        std::mem::swap(&mut self.y, &mut trial.y);
         self.time_s = end_s;
         self.excitation
-            .pass(w, self.kernel, length_s, end_s, (&self.next, &mut self.y));
+            .pass(w, self.kernel, length_s, end_s, (&trial.y, &mut self.y));
     }
 
     /// Sets the motion of a port at the current time.

@@ -1,7 +1,7 @@
 //! Advance of an integration to a given time: impacts, contacts and flights of any number of ports
 //! alternate.
 
-use super::Integrator;
+use super::{Integrator, TrialState};
 use crate::error::IntegrationError;
 use crate::impact::zeno_guard::ZenoGuard;
 use crate::ports::state::ContactState;
@@ -104,6 +104,7 @@ impl Task for Advance<'_, '_> {
     fn run<W: Simd>(self, w: W) -> Self::Output {
         let Advance { integrator, end_s } = self;
         let mut rounds = ZenoGuard::default();
+        let mut trial = TrialState::new(integrator.kernel);
         while integrator.time_s < end_s && integrator.switching.pending_event.is_none() {
             integrator.poll()?;
             rounds.count(&integrator.kernel.plant, integrator.time_s)?;
@@ -116,9 +117,9 @@ impl Task for Advance<'_, '_> {
                 // An impact that inverts the current of a patch is an extremum of its charge.
                 integrator.switching.pending_event = integrator.crossed_event();
             } else if integrator.ports_in(ContactState::Contact).next().is_some() {
-                integrator.contact(w, until_s, &mut rounds)?;
+                integrator.contact(w, until_s, &mut rounds, &mut trial)?;
             } else {
-                integrator.fly(w, until_s)?;
+                integrator.fly(w, until_s, &mut trial)?;
             }
         }
         Ok(())

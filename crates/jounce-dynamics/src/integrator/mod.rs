@@ -8,6 +8,7 @@
 mod advance;
 mod full_state;
 mod start;
+mod trial;
 
 use crate::contact::step_size_control::RELEASE_ERROR_FACTOR_OF_DERIVATIVE;
 use crate::excitation::Excitation;
@@ -27,6 +28,7 @@ use jounce_model::plant::Stop;
 use jounce_simd::F64x8;
 use smallvec::smallvec;
 use std::sync::Arc;
+pub(crate) use trial::TrialState;
 
 /// Integration in progress.
 #[derive(Debug, Clone)]
@@ -39,10 +41,6 @@ pub struct Integrator<'k> {
     pub(crate) tolerance: f64,
     pub(crate) time_s: f64,
     pub(crate) y: Vec<F64x8>,
-    pub(crate) next: Vec<F64x8>,
-    /// Integrals of the force of the current step from its start (see
-    /// [`crate::force_response::duhamel`]).
-    pub(crate) from_start: Vec<F64x8>,
     pub(crate) odd_tables: OddTables,
     pub(crate) tones: Vec<Phasor>,
     pub(crate) excitation: Excitation,

@@ -55,8 +55,6 @@ impl<'k> Integrator<'k> {
             tolerance,
             time_s,
             y: vec![F64x8::ZERO; layout.lanes()],
-            next: vec![F64x8::ZERO; layout.lanes()],
-            from_start: vec![F64x8::ZERO; layout.lanes()],
             odd_tables: OddTables::default(),
             ports: PerPort::new(kernel.plant.ports.len(), |port| {
                 PortState::new(kernel, port, contact_level)
@@ -89,10 +87,8 @@ impl<'k> Integrator<'k> {
     pub(crate) fn enter_kernel(&mut self, kernel: &'k Kernel, x: &[f64]) -> FullState {
         (self.kernel, self.layout) = (kernel, kernel.layout);
         self.excitation.enter(kernel, self.time_s, &self.held_a());
-        for lanes in [&mut self.y, &mut self.next, &mut self.from_start] {
-            lanes.clear();
-            lanes.resize(kernel.layout.lanes(), F64x8::ZERO);
-        }
+        self.y.clear();
+        self.y.resize(kernel.layout.lanes(), F64x8::ZERO);
         let block = kernel.plant.from_physical(x, self.time_s);
         self.set_state(&block);
         self.integrals = ContactIntegrals::none(kernel);

@@ -4,7 +4,7 @@ use crate::contact::nodal;
 use crate::contact::step::{ContactStep, SolvedStep};
 use crate::flow::state::add_force_response;
 use crate::force_response::basis::NODES;
-use crate::integrator::Integrator;
+use crate::integrator::{Integrator, TrialState};
 use crate::ports::small_list::SmallList;
 use crate::ports::state::ContactState;
 use crate::record::trajectory::PortForce;
@@ -13,8 +13,8 @@ use jounce_model::contact::Law;
 use jounce_simd::{F64x8, Simd};
 
 impl Integrator<'_> {
-    /// Accepts a solved step whose free motion is in `next`; the tables hold the effects of several
-    /// ports on each other.
+    /// Accepts a solved step, given the free motion to its end; the tables hold the effects of
+    /// several ports on each other.
     #[inline(always)]
     pub(super) fn accept_joint_step<W: Simd>(
         &mut self,
@@ -23,6 +23,7 @@ impl Integrator<'_> {
         steps: &[ContactStep],
         solved: &[SolvedStep],
         tables: Option<&JointTables>,
+        trial: &mut TrialState,
     ) {
         w.out_of_line(
             #[inline(always)]
@@ -40,12 +41,12 @@ impl Integrator<'_> {
                     self.note(length.seconds(), &noted);
                 }
                 for (step, force) in steps.iter().zip(&forces) {
-                    self.apply_force(w, step, force);
+                    self.apply_force(w, step, force, trial);
                 }
                 if let Some(tables) = tables {
                     self.integrate_crossed(w, tables, &forces);
                 }
-                self.end_contact_step(w, &steps[0]);
+                self.end_contact_step(w, &steps[0], trial);
                 for p in 0..self.kernel.plant.ports.len() {
                     if self.ports[p].contact_state == ContactState::Flight
                         && !self.ports[p].clearance.is_unseen

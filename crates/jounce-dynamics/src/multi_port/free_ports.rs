@@ -8,7 +8,7 @@ use crate::flight::forced::{ForcedFlight, rest_bounds};
 use crate::flight::verdict::{FlightVerdict, StepOutcome};
 use crate::flow::state::{add_force_response, dot};
 use crate::force_response::basis::NODES;
-use crate::integrator::Integrator;
+use crate::integrator::{Integrator, TrialState};
 use crate::ports::small_list::SmallList;
 use crate::ports::state::{ContactState, PortState};
 use crate::tables::joint::StepLength;
@@ -16,8 +16,8 @@ use jounce_simd::{F64x8, Simd};
 use std::borrow::Cow;
 
 impl Integrator<'_> {
-    /// Judges the flight of every other port over a solved step; the free motion to its end is left
-    /// in `next`.
+    /// Judges the flight of every other port over a solved step; the trial state is the free motion
+    /// to its end.
     #[inline(always)]
     pub(super) fn check_free_ports<W: Simd>(
         &mut self,
@@ -25,17 +25,23 @@ impl Integrator<'_> {
         length: StepLength,
         steps: &[ContactStep],
         solved: &[SolvedStep],
+        trial: &mut TrialState,
     ) -> StepOutcome {
         w.out_of_line(
             #[inline(always)]
-            || self.check_free_ports_all(w, length, steps, solved),
+            || self.check_free_ports_all(w, length, steps, solved, trial),
         )
     }
 
-    /// Computes the free motion to the end of a step into `next`, and updates the ports in flight.
+    /// Computes the free motion to the end of a step, and updates the ports in flight.
     #[inline(always)]
-    pub(super) fn move_freely<W: Simd>(&mut self, w: W, steps: &[ContactStep]) {
-        steps[0].table.flow.apply(w, &self.y, &mut self.next);
+    pub(super) fn move_freely<W: Simd>(
+        &mut self,
+        w: W,
+        steps: &[ContactStep],
+        trial: &mut TrialState,
+    ) {
+        steps[0].table.flow.apply(w, &self.y, &mut trial.y);
         for p in 0..self.kernel.plant.ports.len() {
             if self.ports[p].contact_state == ContactState::Flight {
                 self.update_free_port(w, p);
@@ -50,8 +56,9 @@ impl Integrator<'_> {
         length: StepLength,
         steps: &[ContactStep],
         solved: &[SolvedStep],
+        trial: &mut TrialState,
     ) -> StepOutcome {
-        self.move_freely(w, steps);
+        self.move_freely(w, steps, trial);
         let forces: SmallList<F64x8> = solved
             .iter()
             .map(|solution| nodal(&solution.force))
@@ -59,7 +66,10 @@ impl Integrator<'_> {
         let mut outcome = StepOutcome::Clear;
         for p in 0..self.kernel.plant.ports.len() {
             if self.ports[p].contact_state == ContactState::Flight {
-                outcome.add(p, self.check_free_port(w, length, steps, &forces, p));
+                outcome.add(
+                    p,
+                    self.check_free_port(w, length, (steps, &forces), p, &trial.y),
+                );
             }
         }
         outcome
@@ -71,9 +81,9 @@ impl Integrator<'_> {
         &self,
         w: W,
         length: StepLength,
-        steps: &[ContactStep],
-        forces: &[F64x8],
+        (steps, forces): (&[ContactStep], &[F64x8]),
         p: usize,
+        free_end: &[F64x8],
     ) -> FlightVerdict {
         let flight = |step: &ContactStep| {
             length
@@ -90,11 +100,17 @@ impl Integrator<'_> {
         let drive = self.drive_at_end(p, steps[0].port, length);
         let PortState { rows, gap_m, .. } = &self.ports[p];
         let free = [
-            dot(w, &rows.displacement, &self.next) + drive[0] - gap_m,
-            dot(w, &rows.velocity, &self.next) + drive[1],
+            dot(w, &rows.displacement, free_end) + drive[0] - gap_m,
+            dot(w, &rows.velocity, free_end) + drive[1],
         ];
         let start = self.without_decays(&flights, forces);
-        let mut step = self.step_from(w, (p, &start), length.level, length.seconds(), free, drive);
+        let mut step = self.step_from(
+            w,
+            (p, &start),
+            length.level,
+            length.seconds(),
+            (free_end, free, drive),
+        );
         step.distance_m[0] += forced[3];
         step.distance_m[1] += forced[0];
         step.speed_m_s[0] += forced[2];
@@ -140,16 +156,17 @@ impl Integrator<'_> {
     /// m, and its rate, m/s.
     #[inline(always)]
     pub(super) fn motion_at_end<W: Simd>(
-        &mut self,
+        &self,
         w: W,
         joint: &JointStep,
         solved: &[SolvedStep],
         p: usize,
+        trial: &mut TrialState,
     ) -> [f64; 2] {
         let table = joint.steps[0].table;
-        table.flow.apply(w, &self.y, &mut self.next);
+        table.flow.apply(w, &self.y, &mut trial.y);
         for (step, solution) in joint.steps.iter().zip(solved) {
-            self.push_on(w, step, &nodal(&solution.force));
+            self.push_on(w, step, &nodal(&solution.force), trial);
         }
         let drive = self.drive_at_end(p, joint.steps[0].port, joint.tables.length);
         let PortState { rows, gap_m, .. } = &self.ports[p];
@@ -160,8 +177,8 @@ impl Integrator<'_> {
             .map(|(step, solution)| self.kernel.direct_gain(step.port, p) * solution.force.0[NODES])
             .sum();
         [
-            dot(w, &rows.displacement, &self.next) + drive[0] - gap_m,
-            dot(w, &rows.velocity, &self.next) + drive[1] + immediate,
+            dot(w, &rows.displacement, &trial.y) + drive[0] - gap_m,
+            dot(w, &rows.velocity, &trial.y) + drive[1] + immediate,
         ]
     }
 

@@ -8,7 +8,7 @@ use crate::error::IntegrationError;
 use crate::flight::crossing::Crossing;
 use crate::flight::verdict::StepOutcome;
 use crate::impact::zeno_guard::ZenoGuard;
-use crate::integrator::Integrator;
+use crate::integrator::{Integrator, TrialState};
 use crate::kernel::{ForceBasis, Kernel};
 use crate::ports::small_list::SmallList;
 use crate::ports::state::ContactState;
@@ -32,9 +32,8 @@ impl Integrator<'_> {
         w: W,
         end_s: f64,
         rounds: &mut ZenoGuard,
+        trial: &mut TrialState,
     ) -> Result<(), IntegrationError> {
-        // On steps this short no second contact can follow the first.
-        let safe = Kernel::level_within(1.0 / self.kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
         let mut coarsest = Kernel::coarsest();
         while self.time_s < end_s
             && self.switching.pending_event.is_none()
@@ -43,7 +42,7 @@ impl Integrator<'_> {
             self.poll()?;
             rounds.count(&self.kernel.plant, self.time_s)?;
             if let Some(p) = self.single_compliant_port()
-                && self.stay_single_port(w, p, end_s)?
+                && self.stay_single_port(w, p, end_s, trial)?
             {
                 continue;
             }
@@ -52,53 +51,64 @@ impl Integrator<'_> {
             let Some(wanted) = ports.iter().map(|(p, _)| self.ports[*p].level).max() else {
                 return Ok(());
             };
-            let first = wanted.max(coarsest);
-            let mut level = first;
-            loop {
-                let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
-                let landing = Kernel::length_s(level) >= remaining_s;
-                let odd;
-                let tables = if landing {
-                    odd = self.tables_of_length(remaining_s);
-                    &odd
-                } else {
-                    self.kernel.tables(level)
-                };
-                let length = StepLength { tables, level };
-                match self.attempt_step(w, &ports, length, level >= safe) {
-                    StepOutcome::Clear => {
-                        if landing {
-                            self.time_s = end_s;
-                        }
-                        // A step as long as the rejected one would often be rejected again.
-                        coarsest = if level > first {
-                            level - LEVELS_PER_OCTAVE
-                        } else {
-                            Kernel::coarsest()
-                        };
-                        break;
-                    }
-                    StepOutcome::Strikes(strikes)
-                        if w.out_of_line(
-                            #[inline(always)]
-                            || self.end_at_first_impact(w, &ports, &strikes, level),
-                        ) =>
-                    {
-                        break;
-                    }
-                    StepOutcome::Strikes(_) => level += LEVELS_PER_OCTAVE,
-                    StepOutcome::Unclear(down) => {
-                        level = if landing {
-                            Kernel::level_within(remaining_s) + down
-                        } else {
-                            level + down
-                        }
-                    }
-                }
-                self.count_rejection(ports[0].0, level)?;
-            }
+            coarsest = self.step_of_ports(w, &ports, wanted.max(coarsest), end_s, trial)?;
         }
         Ok(())
+    }
+
+    /// Takes a step of the ports in contact, of a wanted level or shorter. Returns the coarsest level
+    /// of the next step: after a rejection it is at most an octave longer, because a step as long as
+    /// the rejected one would often be rejected again.
+    #[inline(always)]
+    fn step_of_ports<W: Simd>(
+        &mut self,
+        w: W,
+        ports: &[(usize, ForceBasis)],
+        wanted: i32,
+        end_s: f64,
+        trial: &mut TrialState,
+    ) -> Result<i32, IntegrationError> {
+        // On steps this short no second contact can follow the first.
+        let safe = Kernel::level_within(1.0 / self.kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
+        let mut level = wanted;
+        loop {
+            let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
+            let landing = Kernel::length_s(level) >= remaining_s;
+            let odd;
+            let tables = if landing {
+                odd = self.tables_of_length(remaining_s);
+                &odd
+            } else {
+                self.kernel.tables(level)
+            };
+            let length = StepLength { tables, level };
+            match self.attempt_step(w, ports, length, level >= safe, trial) {
+                StepOutcome::Clear => {
+                    if landing {
+                        self.time_s = end_s;
+                    }
+                    return Ok(if level > wanted {
+                        level - LEVELS_PER_OCTAVE
+                    } else {
+                        Kernel::coarsest()
+                    });
+                }
+                StepOutcome::Strikes(strikes)
+                    if w.out_of_line(
+                        #[inline(always)]
+                        || self.end_at_first_impact(w, ports, &strikes, level, trial),
+                    ) =>
+                {
+                    return Ok(Kernel::coarsest());
+                }
+                StepOutcome::Strikes(_) => level += LEVELS_PER_OCTAVE,
+                StepOutcome::Unclear(down) if landing => {
+                    level = Kernel::level_within(remaining_s) + down;
+                }
+                StepOutcome::Unclear(down) => level += down,
+            }
+            self.count_rejection(ports[0].0, level)?;
+        }
     }
 
     /// Returns the only port in contact, if its stop is compliant.
@@ -129,13 +139,14 @@ impl Integrator<'_> {
         ports: &[(usize, ForceBasis)],
         length: StepLength,
         is_short: bool,
+        trial: &mut TrialState,
     ) -> StepOutcome {
         match ports {
             [(p, shape)] if !self.is_rigid(*p) => w.out_of_line(
                 #[inline(always)]
-                || self.attempt_single_port(w, (*p, *shape), length, is_short),
+                || self.attempt_single_port(w, (*p, *shape), length, is_short, trial),
             ),
-            several => self.joint_attempt(w, several, length, is_short),
+            several => self.joint_attempt(w, several, length, is_short, trial),
         }
     }
 
@@ -148,6 +159,7 @@ impl Integrator<'_> {
         ports: &[(usize, ForceBasis)],
         length: StepLength,
         is_short: bool,
+        trial: &mut TrialState,
     ) -> StepOutcome {
         let tables = JointTables::new(self.kernel, ports, length);
         let joint = self.joint_step(w, &tables);
@@ -156,10 +168,10 @@ impl Integrator<'_> {
         let Some(solved) = self.accepted(&joint.steps, solved, length, is_short) else {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
         };
-        let outcome = self.check_free_ports(w, length, &joint.steps, &solved);
+        let outcome = self.check_free_ports(w, length, &joint.steps, &solved, trial);
         if let StepOutcome::Clear = outcome {
             self.forget_clearances();
-            self.accept_joint_step(w, length, &joint.steps, &solved, Some(&tables));
+            self.accept_joint_step(w, length, &joint.steps, &solved, Some(&tables), trial);
         }
         outcome
     }
@@ -215,6 +227,7 @@ impl Integrator<'_> {
         ports: &[(usize, ForceBasis)],
         strikes: &[(usize, Crossing)],
         level: i32,
+        trial: &mut TrialState,
     ) -> bool {
         let first = strikes
             .iter()
@@ -240,14 +253,21 @@ impl Integrator<'_> {
             let Some(solved) = self.solve_joint(w, &joint, &resting) else {
                 return false;
             };
-            let [distance_m, speed_m_s] = self.motion_at_end(w, &joint, &solved, *striker);
+            let [distance_m, speed_m_s] = self.motion_at_end(w, &joint, &solved, *striker, trial);
             let change_s = -distance_m / speed_m_s;
             // The roundoff of the distance limits the accuracy of the time.
             let roundoff_s = RESOLVED_DISTANCE * self.terms_m(w, *striker) / speed_m_s.abs();
             if change_s.abs() <= roundoff_s.max(LANDING_TOLERANCE * scale_s.max(length_s)) {
-                self.move_freely(w, &joint.steps);
+                self.move_freely(w, &joint.steps, trial);
                 self.forget_clearances();
-                self.accept_joint_step(w, length, &joint.steps, &solved, Some(&joint_tables));
+                self.accept_joint_step(
+                    w,
+                    length,
+                    &joint.steps,
+                    &solved,
+                    Some(&joint_tables),
+                    trial,
+                );
                 self.join(w, *striker);
                 return true;
             }

@@ -3,7 +3,7 @@
 
 use crate::error::IntegrationError;
 use crate::flight::verdict::StepOutcome;
-use crate::integrator::Integrator;
+use crate::integrator::{Integrator, TrialState};
 use crate::kernel::ForceBasis;
 use crate::tables::joint::StepLength;
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
@@ -19,6 +19,7 @@ impl Integrator<'_> {
         w: W,
         p: usize,
         end_s: f64,
+        trial: &mut TrialState,
     ) -> Result<bool, IntegrationError> {
         let with_others = self.kernel.plant.ports.len() > 1;
         if with_others && self.ports[p].rows.speed_bound.is_none() {
@@ -29,15 +30,15 @@ impl Integrator<'_> {
         match (self.law(p), with_others) {
             (Law::Hertz(law), false) => w.out_of_line(
                 #[inline(always)]
-                || self.stay(w, law, (0, false), end_s),
+                || self.stay(w, law, (0, false), end_s, trial),
             ),
             (law, false) => w.out_of_line(
                 #[inline(always)]
-                || self.stay(w, law, (0, false), end_s),
+                || self.stay(w, law, (0, false), end_s, trial),
             ),
             (law, true) => w.out_of_line(
                 #[inline(always)]
-                || self.stay(w, law, (p, true), end_s),
+                || self.stay(w, law, (p, true), end_s, trial),
             ),
         }?;
         Ok(self.time_s > start_s)
@@ -52,6 +53,7 @@ impl Integrator<'_> {
         (p, shape): (usize, ForceBasis),
         length: StepLength,
         is_short: bool,
+        trial: &mut TrialState,
     ) -> StepOutcome {
         let (law, table) = (self.law(p), length.tables.contact(self.kernel, (p, shape)));
         let is_odd = !length.is_level();
@@ -63,10 +65,10 @@ impl Integrator<'_> {
         let Some(solved) = self.accepted(&step, solved, length, is_short) else {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
         };
-        let outcome = self.check_free_ports(w, length, &step, &solved);
+        let outcome = self.check_free_ports(w, length, &step, &solved, trial);
         if let StepOutcome::Clear = outcome {
             self.forget_clearances();
-            self.accept_joint_step(w, length, &step, &solved, None);
+            self.accept_joint_step(w, length, &step, &solved, None, trial);
         }
         outcome
     }

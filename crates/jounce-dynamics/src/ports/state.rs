@@ -28,8 +28,6 @@ pub struct PortState {
     pub rate_m_s: f64,
     /// Contact state.
     pub contact_state: ContactState,
-    /// Motion at the end of the current flight step: distance past the stop, m, and its rate, m/s.
-    pub motion_at_end: [f64; 2],
     /// Desired level of the next step in contact ...
     pub level: i32,
     /// ... and whether a contact begins with it.
@@ -94,7 +92,6 @@ impl PortState {
             penetration_m: 0.0,
             rate_m_s: 0.0,
             contact_state: ContactState::Flight,
-            motion_at_end: [0.0; 2],
             level: entry_level,
             entering: false,
             iterations: 1,
