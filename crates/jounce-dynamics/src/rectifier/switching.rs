@@ -17,7 +17,7 @@ use crate::integrator::{FullState, Integrator};
 use crate::record::energies::Energies;
 use crate::record::trajectory::ConductionChange;
 use jounce_model::plant::{
-    BridgeChange, BridgeNodes, BridgeState, Conduction, EnergyOutlet, SignalIntegrals,
+    BridgeChange, BridgeNodes, BridgeState, Conduction, EnergyOutlet, Port, SignalIntegrals,
 };
 
 /// Largest number of changes of bridges at one instant. A switch may close many times there: where
@@ -195,7 +195,7 @@ impl Integrator<'_> {
         // The free motion and the motion forced by signals may cancel.
         let forced = self.excitation.motion_after(p, 0.0)[0].abs();
         let free = self.terms_of(&port.rows.displacement);
-        let mut size = terms.max(free) + forced + port.rows.tone_scale_m;
+        let mut size = terms.max(free) + forced + self.pressed(row) + port.rows.tone_scale_m;
         if guard.change != BridgeChange::Switches {
             let (nodes, first) = (
                 plant.electrical.bridges[guard.bridge],
@@ -217,6 +217,22 @@ impl Integrator<'_> {
         }
         // The accuracy of a time is limited by its own roundoff.
         EVENT_ROUNDOFF * size + 4.0 * f64::EPSILON * self.time_s * port.rate_m_s.abs()
+    }
+
+    /// Returns the size of an output under the present contact forces, as if they lasted: from rest,
+    /// nothing else moves it.
+    fn pressed(&self, row: &[f64]) -> f64 {
+        let (plant, block) = (&self.kernel.plant, &self.kernel.plant.diagonal.block);
+        let forces = self.forces_n().into_iter().zip(&plant.ports);
+        let by_force = |(force_n, port): (f64, &Port)| {
+            let lasting = block.solve(&port.force, &block.free());
+            let terms = row.iter().zip(lasting).map(|(row, y)| (row * y).abs());
+            force_n.abs() * terms.sum::<f64>()
+        };
+        forces
+            .filter(|(force_n, _)| *force_n != 0.0)
+            .map(by_force)
+            .sum()
     }
 
     /// Moves the threshold of an event by its roundoff.

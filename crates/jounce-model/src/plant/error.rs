@@ -60,7 +60,7 @@ pub enum PlantError {
     },
     /// The rate of a circuit is too far above those of the modes.
     #[error(
-        "circuit.{circuit}.{key} is {value:e} {unit}; with {} its time constant is {}, more than {most:.0e} times faster than the fastest retained mode, {}, so roundoff would swamp the eigenvalues; if the mode is too slow, correct the lengths and materials of the structure; else give at least {least:.1e} {unit}, or a larger capacitance",
+        "circuit.{circuit}.{key} is {value:e} {unit}; with {} its time constant is {}, more than {most:.0e} times faster than the fastest retained mode, {}, so roundoff would hide the eigenvalues; if the mode is too slow, correct the lengths and materials of the structure; else give at least {least:.1e} {unit}, or a larger capacitance",
         Quantity::Capacitance.write_rounded(*capacitance_f, 4),
         Quantity::Time.write_rounded(*time_s, 2),
         Quantity::Frequency.write_rounded(*mode_hz, 4)

@@ -117,7 +117,9 @@ fn weakly_coupled_interfaces_give_their_closed_forms() {
 /// A bridge next to a stop, from rest over 20 units of time.
 struct NextToStop {
     gap_m: f64,
+    drop_v: f64,
     diode_ohm: f64,
+    force_n: f64,
 }
 
 impl NextToStop {
@@ -127,7 +129,9 @@ impl NextToStop {
             load_ohm: 2.0,
         };
         let mut system = cell(0.6, 0.03, 1.1, RectifierScheme::Standard, storage);
-        (system.bridges[0].drop_v, system.bridges[0].diode_ohm) = (0.1, self.diode_ohm);
+        (system.bridges[0].drop_v, system.bridges[0].diode_ohm) = (self.drop_v, self.diode_ohm);
+        system.drives[0].amplitude_n = self.force_n;
+        system.drives.retain(|drive| drive.amplitude_n > 0.0);
         system.stops.push(Stop {
             name: "stop".into(),
             shape: vec![1.0],
@@ -145,12 +149,12 @@ impl NextToStop {
     fn end_by_runge_kutta(&self, steps: u32) -> [f64; 4] {
         let rates = |t: f64, x: [f64; 4]| -> [f64; 4] {
             let [q, v, patch, store] = x;
-            let over = patch.abs() - store - 0.1;
+            let over = patch.abs() - store - self.drop_v;
             let current = (over / self.diode_ohm).max(0.0) * patch.signum();
             let contact = 20.0 * (q - self.gap_m).max(0.0).powf(1.5);
             [
                 v,
-                (1.1 * t + 0.4).sin() - 0.06 * v - q + 0.6 * patch - contact,
+                self.force_n * (1.1 * t + 0.4).sin() - 0.06 * v - q + 0.6 * patch - contact,
                 -0.6 * v - current,
                 (current.abs() - store / 2.0) / 4.0,
             ]
@@ -177,7 +181,9 @@ impl NextToStop {
 fn a_bridge_next_to_a_stop_agrees_with_a_plain_integrator() {
     let bridge = NextToStop {
         gap_m: 0.5,
+        drop_v: 0.1,
         diode_ohm: 0.05,
+        force_n: 1.0,
     };
     let result = from_rest(&bridge.kernel(), 20.0, 1e-10);
     assert!(bridge.error(&result, 400_000) < 1e-8 && result.contacts > 1);
@@ -189,7 +195,9 @@ fn a_bridge_next_to_a_stop_agrees_with_a_plain_integrator() {
 fn fast_diodes_during_a_contact_agree_with_a_plain_integrator() {
     let bridge = NextToStop {
         gap_m: -0.6,
+        drop_v: 0.1,
         diode_ohm: 1e-4,
+        force_n: 1.0,
     };
     let result = from_rest(&bridge.kernel(), 20.0, 1e-10);
     assert!(bridge.error(&result, 4_000_000) < 1e-7);
@@ -198,6 +206,20 @@ fn fast_diodes_during_a_contact_agree_with_a_plain_integrator() {
         work.contact_steps + work.contact_rejections < 300,
         "{work:?}"
     );
+}
+
+/// Diodes without a drop at rest, whose event functions start at zero when a pressed stop throws the
+/// point off.
+#[test]
+fn diodes_without_a_drop_conduct_at_once_where_a_stop_presses() {
+    let bridge = NextToStop {
+        gap_m: -0.6,
+        drop_v: 0.0,
+        diode_ohm: 0.05,
+        force_n: 0.0,
+    };
+    let result = from_rest(&bridge.kernel(), 20.0, 1e-10);
+    assert!(bridge.error(&result, 400_000) < 1e-8);
 }
 
 /// With diodes of zero resistance and negligible storage, a battery above the open-circuit voltage

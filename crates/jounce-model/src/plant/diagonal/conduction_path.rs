@@ -3,8 +3,8 @@
 //!
 //! Between the patches and their storage, in the roots of energies `u = sqrt(C) V`, a path of
 //! conductance `g` contributes `-g d (d . u)` with `d = (1 / sqrt(C), -s / sqrt(C_s))`. In the
-//! coordinates of the two nodes, `g / C_s` swamps the current of the load. Along `d / |d|` the path
-//! is one diagonal entry, `-g |d|^2`, and across it zero.
+//! coordinates of the two nodes, the roundoff of `g / C_s` may exceed the rate by the load. Along
+//! `d / |d|` the path is one diagonal entry, `-g |d|^2`, and across it zero.
 
 use crate::plant::Electrical;
 use jounce_linalg::Mat;
