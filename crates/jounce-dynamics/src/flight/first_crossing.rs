@@ -44,20 +44,6 @@ impl Integrator<'_> {
         crossing: Crossing,
         trial: &mut TrialState,
     ) -> (f64, [f64; 2]) {
-        w.out_of_line(
-            #[inline(always)]
-            || self.locate_crossing(w, p, crossing, trial),
-        )
-    }
-
-    #[inline(always)]
-    fn locate_crossing<W: Simd>(
-        &self,
-        w: W,
-        p: usize,
-        crossing: Crossing,
-        trial: &mut TrialState,
-    ) -> (f64, [f64; 2]) {
         let Crossing {
             mut from_s,
             mut guess_s,

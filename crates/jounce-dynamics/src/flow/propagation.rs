@@ -44,9 +44,9 @@ impl Integrator<'_> {
         self.propagate_remainder(w, length_s, trial);
     }
 
-    /// Moves a trial state from one time ahead of the current one to another. Over a short time it moves
-    /// on or back, otherwise from the current time: the roundoff of a long flow would hide a point
-    /// that hardly leaves its stop.
+    /// Moves a trial state from one time ahead of the current one to another. Over a short time it
+    /// moves on or back, otherwise from the current time: the roundoff of a long flow would hide a
+    /// point that hardly leaves its stop.
     #[inline(always)]
     pub(crate) fn propagate_from<W: Simd>(
         &self,

@@ -195,7 +195,7 @@ impl Integrator<'_> {
         // The free motion and the motion forced by signals may cancel.
         let forced = self.excitation.motion_after(p, 0.0)[0].abs();
         let free = self.terms_of(&port.rows.displacement);
-        let mut size = terms.max(free) + forced + self.pressed(row) + port.rows.tone_scale_m;
+        let mut size = terms.max(free) + forced + self.static_size(row) + port.rows.tone_scale_m;
         if guard.change != BridgeChange::Switches {
             let (nodes, first) = (
                 plant.electrical.bridges[guard.bridge],
@@ -219,14 +219,14 @@ impl Integrator<'_> {
         EVENT_ROUNDOFF * size + 4.0 * f64::EPSILON * self.time_s * port.rate_m_s.abs()
     }
 
-    /// Returns the size of an output under the present contact forces, as if they lasted: from rest,
-    /// nothing else moves it.
-    fn pressed(&self, row: &[f64]) -> f64 {
+    /// Returns the size of the static response of an output to the present contact forces: its only
+    /// scale where a stop presses on a harvester at rest.
+    fn static_size(&self, row: &[f64]) -> f64 {
         let (plant, block) = (&self.kernel.plant, &self.kernel.plant.diagonal.block);
         let forces = self.forces_n().into_iter().zip(&plant.ports);
         let by_force = |(force_n, port): (f64, &Port)| {
-            let lasting = block.solve(&port.force, &block.free());
-            let terms = row.iter().zip(lasting).map(|(row, y)| (row * y).abs());
+            let response = block.solve(&port.force, &block.free());
+            let terms = row.iter().zip(response).map(|(row, y)| (row * y).abs());
             force_n.abs() * terms.sum::<f64>()
         };
         forces
