@@ -13,14 +13,9 @@ pub struct SignalCursor {
 }
 
 impl SignalCursor {
-    /// Creates the cursor of a signal at a time; `held_a` are the currents that bridges draw from
-    /// their storages, 0 where none is given.
-    pub fn at(
-        signal: &Signal,
-        travel: Option<Arc<Travel>>,
-        (time_s, held_a): (f64, &[f64]),
-    ) -> Self {
-        let index = signal.wave.index_at(time_s);
+    /// Creates the cursor of a signal in one of its pieces; `held_a` are the currents that bridges
+    /// draw from their storages, 0 where none is given.
+    pub fn new(signal: &Signal, travel: Option<Arc<Travel>>, index: usize, held_a: &[f64]) -> Self {
         let held = signal.drawn_from.and_then(|bridge| held_a.get(bridge));
         let mut piece = signal.wave.piece(index);
         if let Some(held) = held {

@@ -68,15 +68,19 @@ impl Excitation {
     }
 
     /// Enters a kernel at a time; `held_a` are the currents that the bridges draw from their
-    /// storages. Each conduction state has its own signals, for the offsets of its voltages.
+    /// storages. All conduction states share the first signals, which continue in their pieces; each
+    /// has constants of its own after them, for the offsets of its voltages.
     pub fn enter(&mut self, kernel: &Kernel, time_s: f64, held_a: &[f64]) {
         let plant = &kernel.plant;
         let signals = plant.system.signals.iter().zip(&plant.travels);
-        self.cursors.clear();
-        self.cursors
-            .extend(signals.map(|(signal, travel)| {
-                SignalCursor::at(signal, travel.clone(), (time_s, held_a))
-            }));
+        let cursors = signals.enumerate().map(|(k, (signal, travel))| {
+            let index = match self.cursors.get(k) {
+                Some(cursor) => cursor.index,
+                None => signal.wave.index_at(time_s),
+            };
+            SignalCursor::new(signal, travel.clone(), index, held_a)
+        });
+        self.cursors = cursors.collect();
         let sample = |cursor: &SignalCursor| [cursor.piece.size_at(time_s), cursor.piece.slope];
         self.sizes.clear();
         self.sizes.extend(self.cursors.iter().map(sample));

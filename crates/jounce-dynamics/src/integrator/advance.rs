@@ -37,26 +37,28 @@ impl Integrator<'_> {
         })
     }
 
-    /// Passes the breakpoints of the signals up to the current time; returns the next one, or the
-    /// end if that is earlier.
+    /// Passes the breakpoints of the signals up to the current time; true where an impulse has
+    /// changed the velocities.
     #[inline(always)]
-    pub(crate) fn next_breakpoint<W: Simd>(&mut self, w: W, end_s: f64) -> f64 {
-        if self.excitation.has_breakpoint(self.time_s)
+    fn pass_breakpoints<W: Simd>(&mut self, w: W) -> bool {
+        let is_struck = self.excitation.has_breakpoint(self.time_s)
             && self
                 .excitation
-                .cross(w, self.kernel, self.time_s, &mut self.y)
-        {
+                .cross(w, self.kernel, self.time_s, &mut self.y);
+        if is_struck {
             self.update_ports(w);
         }
-        end_s.min(self.excitation.until_s(self.time_s))
+        is_struck
     }
 
-    /// Updates the ports of all stops after an impulse of a signal; a port that stuck to a rigid
-    /// stop and now moves away enters flight.
+    /// Updates all ports after an impulse of a signal; a port that stuck to a rigid stop and now
+    /// moves away enters flight.
     #[inline(always)]
     fn update_ports<W: Simd>(&mut self, w: W) {
-        for (p, stop) in self.kernel.plant.system.stops.iter().enumerate() {
+        for p in 0..self.kernel.plant.ports.len() {
             self.update_port(w, p);
+        }
+        for (p, stop) in self.kernel.plant.system.stops.iter().enumerate() {
             let port = &mut self.ports[p];
             if matches!(stop.law, Law::Rigid(_)) && port.rate_m_s < 0.0 {
                 port.contact_state = ContactState::Flight;
@@ -108,13 +110,18 @@ impl Task for Advance<'_, '_> {
         while integrator.time_s < end_s && integrator.switching.pending_event.is_none() {
             integrator.poll()?;
             rounds.count(&integrator.kernel.plant, integrator.time_s)?;
-            let until_s = integrator.next_breakpoint(w, end_s);
+            if integrator.pass_breakpoints(w) {
+                // An impulse that inverts the current of a patch makes an extremum of its charge.
+                integrator.switching.pending_event = integrator.crossed_event();
+                continue;
+            }
+            let until_s = end_s.min(integrator.excitation.until_s(integrator.time_s));
             if integrator.hits_rigid_stop() {
                 w.out_of_line(
                     #[inline(always)]
                     || integrator.collide(w),
                 )?;
-                // An impact that inverts the current of a patch is an extremum of its charge.
+                // The same holds for an impact.
                 integrator.switching.pending_event = integrator.crossed_event();
             } else if integrator.ports_in(ContactState::Contact).next().is_some() {
                 integrator.contact(w, until_s, &mut rounds, &mut trial)?;

@@ -1,7 +1,10 @@
 //! A switch at an extremum that roundoff places on either side of zero.
 
+use super::cell::cell;
 use crate::plants::{from_rest, kernel};
-use jounce_model::plant::System;
+use crate::runge_kutta::runge_kutta;
+use jounce_model::drive::Wave;
+use jounce_model::plant::{RectifierScheme, Signal, Storage, System};
 use jounce_spec::Spec;
 
 /// A film on a cantilever that rests against a stiff stop. The time of an extremum of its charge has
@@ -51,5 +54,42 @@ fn a_switch_closes_once_where_roundoff_places_the_current_past_the_next_extremum
         let (switch_j, residual) = (energies.rectified[0].switch_j, energies.residual_relative());
         eprintln!("{switch_j:e} J in the switch, residual {residual:.1e}");
         assert!(switch_j > 0.0 && residual.abs() < tolerance);
+    }
+}
+
+/// An impulse reverses the current, and at this instant the switch inverts the voltage. The impulse acts
+/// once.
+#[test]
+fn an_impulse_that_closes_a_switch_acts_once() {
+    let (theta, zeta, inversion, at_s) = (0.3, 0.02, 0.6, 0.7);
+    let scheme = RectifierScheme::ParallelSshi { inversion };
+    let mut system = cell(
+        theta,
+        zeta,
+        1.0,
+        scheme,
+        Storage::Battery { voltage_v: 5.0 },
+    );
+    system.drives.clear();
+    let impulses = [(0.0, 1.0), (at_s, -3.0)];
+    system.signals = impulses.map(shock).to_vec();
+    let kernel = kernel(system);
+    let run = from_rest(&kernel, 1.0, 1e-10);
+    let end = run.end.physical();
+    let rates = |_, [q, v, volt]: [f64; 3]| [v, theta * volt - q - 2.0 * zeta * v, -theta * v];
+    let [q, v, volt] = runge_kutta(rates, [0.0, 1.0, 0.0], at_s, 10_000);
+    let plain = runge_kutta(rates, [q, v - 3.0, -inversion * volt], 1.0 - at_s, 10_000);
+    eprintln!("{end:?} against {plain:?}");
+    assert!((0..3).all(|i| (end[i] - plain[i]).abs() < 1e-9));
+    assert!(run.energies.residual_relative().abs() < 1e-12);
+}
+
+fn shock((time_s, size_s): (f64, f64)) -> Signal {
+    Signal {
+        name: format!("shock at {time_s}"),
+        shape: vec![1.0],
+        wave: Wave::Impulse { time_s, size_s },
+        base: None,
+        drawn_from: None,
     }
 }
