@@ -1,11 +1,9 @@
 //! Integration through contacts of several ports: choice and acceptance of the steps.
 
-use super::RESOLVED_DISTANCE;
 use super::sticking::StickingPorts;
 use crate::contact::share;
 use crate::contact::step::{ContactStep, SolvedStep};
 use crate::error::IntegrationError;
-use crate::flight::crossing::Crossing;
 use crate::flight::verdict::StepOutcome;
 use crate::impact::zeno_guard::ZenoGuard;
 use crate::integrator::{Integrator, TrialState};
@@ -14,15 +12,7 @@ use crate::ports::small_list::SmallList;
 use crate::ports::state::ContactState;
 use crate::tables::joint::{JointTables, StepLength};
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
-use crate::tables::step_tables::StepTables;
 use jounce_simd::{Portable, Simd};
-
-/// Largest number of Newton iterations for the length of a step that ends in an impact.
-const MAX_LANDING_ITERATIONS: u32 = 12;
-
-/// Time error, relative to the first step of the following contact, within which an impact is
-/// located.
-const LANDING_TOLERANCE: f64 = 1e-14;
 
 impl Integrator<'_> {
     /// Integrates until all ports fly, a rigid stop has an impact, or the end is reached.
@@ -217,65 +207,5 @@ impl Integrator<'_> {
                 && (is_decided || solution.is_sound(step.shape, is_short, is_negligible))
         };
         steps.iter().zip(solved).map(is_accurate).collect()
-    }
-
-    /// Ends the step at the first of several impacts; false when that fails.
-    #[inline(always)]
-    fn end_at_first_impact<W: Simd>(
-        &mut self,
-        w: W,
-        ports: &[(usize, ForceBasis)],
-        strikes: &[(usize, Crossing)],
-        level: i32,
-        trial: &mut TrialState,
-    ) -> bool {
-        let first = strikes
-            .iter()
-            .min_by(|a, b| a.1.guess_s.total_cmp(&b.1.guess_s));
-        let Some((striker, crossing)) = first else {
-            return false;
-        };
-        let scale_s = Kernel::length_s(self.ports[*striker].entry_level);
-        let mut length_s = crossing.guess_s;
-        for _ in 0..MAX_LANDING_ITERATIONS {
-            if length_s <= super::SIMULTANEOUS_CONTACT * scale_s {
-                self.join(w, *striker);
-                return true;
-            }
-            let tables = StepTables::new(self.kernel.plant.ports.len(), length_s);
-            let length = StepLength {
-                tables: &tables,
-                level,
-            };
-            let joint_tables = JointTables::new(self.kernel, ports, length);
-            let joint = self.joint_step(w, &joint_tables);
-            let resting = StickingPorts::new(self, &joint_tables);
-            let Some(solved) = self.solve_joint(w, &joint, &resting) else {
-                return false;
-            };
-            let [distance_m, speed_m_s] = self.motion_at_end(w, &joint, &solved, *striker, trial);
-            let change_s = -distance_m / speed_m_s;
-            // The roundoff of the distance limits the accuracy of the time.
-            let roundoff_s = RESOLVED_DISTANCE * self.terms_m(w, *striker) / speed_m_s.abs();
-            if change_s.abs() <= roundoff_s.max(LANDING_TOLERANCE * scale_s.max(length_s)) {
-                self.move_freely(w, &joint.steps, trial);
-                self.forget_clearances();
-                self.accept_joint_step(
-                    w,
-                    length,
-                    &joint.steps,
-                    &solved,
-                    Some(&joint_tables),
-                    trial,
-                );
-                self.join(w, *striker);
-                return true;
-            }
-            length_s += change_s;
-            if !(length_s >= 0.0 && length_s <= 2.0 * crossing.to_s) {
-                return false;
-            }
-        }
-        false
     }
 }

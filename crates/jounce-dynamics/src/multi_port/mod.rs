@@ -30,6 +30,7 @@ mod impacts;
 mod joint_contact;
 mod joint_impact;
 mod joint_solve;
+mod landing;
 mod newton;
 mod single_contact;
 mod sticking;
