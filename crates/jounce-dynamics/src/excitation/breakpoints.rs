@@ -5,27 +5,37 @@ use super::Excitation;
 use crate::kernel::Kernel;
 use jounce_simd::{F64x8, Portable, Simd};
 
+/// Lowest derivative of the modal coordinates that jumps at a breakpoint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Jump {
+    /// The third or none: a slope changes.
+    Jerk,
+    /// A value jumps. The rate of the current of a patch jumps with it.
+    Acceleration,
+    /// An impulse acts.
+    Velocity,
+}
+
 impl Excitation {
-    /// Passes the breakpoints up to the current time; true where an impulse has changed the
-    /// velocities.
+    /// Passes the breakpoints up to the current time.
     #[inline(always)]
-    pub fn cross<W: Simd>(&mut self, w: W, kernel: &Kernel, time_s: f64, y: &mut [F64x8]) -> bool {
+    pub fn cross<W: Simd>(&mut self, w: W, kernel: &Kernel, time_s: f64, y: &mut [F64x8]) -> Jump {
         w.out_of_line(
             #[inline(always)]
             || {
                 let piece_s = self.piece_s(time_s);
                 self.close(w, time_s, piece_s, y);
-                let mut has_impulse = false;
+                let mut jump = Jump::Jerk;
                 while self.next_s <= time_s {
                     for k in 0..self.cursors.len() {
                         if self.cursors[k].piece.until_s <= time_s {
-                            has_impulse |= self.cross_one(w, kernel, k, time_s, y);
+                            jump = jump.max(self.cross_one(w, kernel, k, time_s, y));
                         }
                     }
                     self.find_next();
                 }
-                self.reopen(w, has_impulse, time_s, y);
-                has_impulse
+                self.reopen(w, jump == Jump::Velocity, time_s, y);
+                jump
             },
         )
     }
@@ -82,7 +92,7 @@ impl Excitation {
         k: usize,
         time_s: f64,
         y: &mut [F64x8],
-    ) -> bool {
+    ) -> Jump {
         let cursor = &mut self.cursors[k];
         cursor.index += 1;
         let piece = kernel.plant.system.signals[k].wave.piece(cursor.index);
@@ -103,7 +113,12 @@ impl Excitation {
             }
             self.add_forced(w, &mut middle);
             self.signal_work.strike(k, piece.impulse_s, &middle, time_s);
+            return Jump::Velocity;
         }
-        piece.impulse_s != 0.0
+        if after[0] == before[0] {
+            Jump::Jerk
+        } else {
+            Jump::Acceleration
+        }
     }
 }

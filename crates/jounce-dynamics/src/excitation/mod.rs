@@ -9,7 +9,7 @@
 //! cubics (see [`jounce_model::drive::Travel`]).
 
 mod block_sums;
-mod breakpoints;
+pub(crate) mod breakpoints;
 mod cursor;
 mod following_blocks;
 mod local_blocks;

@@ -3,7 +3,7 @@
 use super::state::dot;
 use crate::flow::MAX_SERIES_ARGUMENT;
 use crate::integrator::{Integrator, TrialState};
-use crate::ports::state::PortState;
+use crate::ports::state::{ContactState, PortState};
 use jounce_linalg::c64;
 use jounce_simd::Simd;
 
@@ -14,6 +14,16 @@ impl Integrator<'_> {
         let motion = self.reading(w, p);
         let port = &mut self.ports[p];
         [port.penetration_m, port.rate_m_s] = motion;
+    }
+
+    /// Updates all ports in flight.
+    #[inline(always)]
+    pub(crate) fn update_free_ports<W: Simd>(&mut self, w: W) {
+        for p in 0..self.kernel.plant.ports.len() {
+            if self.ports[p].contact_state == ContactState::Flight {
+                self.update_port(w, p);
+            }
+        }
     }
 
     /// Returns penetration and rate of a port, m and m/s.

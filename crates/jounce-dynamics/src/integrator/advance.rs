@@ -3,6 +3,7 @@
 
 use super::{Integrator, TrialState};
 use crate::error::IntegrationError;
+use crate::excitation::breakpoints::Jump;
 use crate::impact::zeno_guard::ZenoGuard;
 use crate::ports::state::ContactState;
 use jounce_model::contact::Law;
@@ -37,18 +38,22 @@ impl Integrator<'_> {
         })
     }
 
-    /// Passes the breakpoints of the signals up to the current time; true where an impulse has
-    /// changed the velocities.
+    /// Passes the breakpoints of the signals up to the current time; true where the motion of a port
+    /// has jumped.
     #[inline(always)]
     fn pass_breakpoints<W: Simd>(&mut self, w: W) -> bool {
-        let is_struck = self.excitation.has_breakpoint(self.time_s)
-            && self
-                .excitation
-                .cross(w, self.kernel, self.time_s, &mut self.y);
-        if is_struck {
-            self.update_ports(w);
+        if !self.excitation.has_breakpoint(self.time_s) {
+            return false;
         }
-        is_struck
+        let jump = self
+            .excitation
+            .cross(w, self.kernel, self.time_s, &mut self.y);
+        match jump {
+            Jump::Jerk => {}
+            Jump::Acceleration => self.update_free_ports(w),
+            Jump::Velocity => self.update_ports(w),
+        }
+        jump != Jump::Jerk
     }
 
     /// Updates all ports after an impulse of a signal; a port that stuck to a rigid stop and now
@@ -111,7 +116,7 @@ impl Task for Advance<'_, '_> {
             integrator.poll()?;
             rounds.count(&integrator.kernel.plant, integrator.time_s)?;
             if integrator.pass_breakpoints(w) {
-                // An impulse that inverts the current of a patch makes an extremum of its charge.
+                // A jump of the velocity that inverts the current of a patch is an extremum of its charge.
                 integrator.switching.pending_event = integrator.crossed_event();
                 continue;
             }
@@ -121,7 +126,7 @@ impl Task for Advance<'_, '_> {
                     #[inline(always)]
                     || integrator.collide(w),
                 )?;
-                // The same holds for an impact.
+                // So is an impact that does.
                 integrator.switching.pending_event = integrator.crossed_event();
             } else if integrator.ports_in(ContactState::Contact).next().is_some() {
                 integrator.contact(w, until_s, &mut rounds, &mut trial)?;

@@ -8,7 +8,7 @@ use crate::impact::acceleration::RESOLVED_ROUNDOFFS;
 use crate::kernel::Kernel;
 use crate::ports::per_port::PerPort;
 use crate::ports::phasor::Phasor;
-use crate::ports::state::{ContactState, PortState};
+use crate::ports::state::PortState;
 use crate::record::energies::MeterReadings;
 use crate::record::statistics::{ContactIntegrals, WorkCount};
 use crate::rectifier::switching::Switching;
@@ -121,11 +121,7 @@ impl<'k> Integrator<'k> {
             }
         });
         self.ports = ports;
-        for p in 0..kernel.plant.ports.len() {
-            if self.ports[p].contact_state == ContactState::Flight {
-                self.update_port(Portable::new(), p);
-            }
-        }
+        self.update_free_ports(Portable::new());
     }
 
     /// Returns distance (m) and speed (m/s) of a port within which it starts from rest.

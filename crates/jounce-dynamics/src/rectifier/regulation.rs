@@ -5,7 +5,6 @@
 
 use super::energies::RectifiedEnergies;
 use crate::integrator::Integrator;
-use crate::ports::state::ContactState;
 use jounce_model::plant::{BridgeChange, EventFunction, Regulator, SignalIntegrals, VoltageBand};
 use jounce_simd::Portable;
 
@@ -212,11 +211,7 @@ impl Integrator<'_> {
             self.excitation.hold(held, self.time_s, &mut self.y);
         }
         self.aim_at_band(bridge);
-        for p in 0..self.kernel.plant.ports.len() {
-            if self.ports[p].contact_state == ContactState::Flight {
-                self.update_port(Portable::new(), p);
-            }
-        }
+        self.update_free_ports(Portable::new());
         let state = self.full_state();
         self.limit_ports(bridge)
             .into_iter()

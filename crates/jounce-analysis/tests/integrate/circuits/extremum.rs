@@ -84,11 +84,52 @@ fn an_impulse_that_closes_a_switch_acts_once() {
     assert!(run.energies.residual_relative().abs() < 1e-12);
 }
 
+/// The rate of the current jumps with a force, shortly before an extremum that the force brings
+/// forward.
+#[test]
+fn a_force_that_jumps_moves_the_next_extremum() {
+    let (theta, zeta, inversion, at_s, force_n) = (0.3, 0.02, 0.6, 1.4, -3.0);
+    let scheme = RectifierScheme::ParallelSshi { inversion };
+    let battery = Storage::Battery { voltage_v: 5.0 };
+    let mut system = cell(theta, zeta, 1.0, scheme, battery);
+    system.drives.clear();
+    let force = Wave::Sampled {
+        start_s: at_s,
+        step_s: 5.0,
+        sizes: [force_n, force_n].into(),
+    };
+    system.signals = vec![shock((0.0, 1.0)), signal("force", force)];
+    let end = from_rest(&kernel(system), 2.0, 1e-10).end.physical();
+    let under = |force_n: f64| {
+        move |_, [q, v, volt]: [f64; 3]| {
+            let damped = v * 2.0 * zeta;
+            [v, force_n + theta * volt - q - damped, -theta * v]
+        }
+    };
+    let jump = runge_kutta(under(0.0), [0.0, 1.0, 0.0], at_s, 10_000);
+    let after = |time_s| runge_kutta(under(force_n), jump, time_s, 2_000);
+    let (mut low_s, mut high_s) = (0.0, 0.2);
+    for _ in 0..50 {
+        let middle_s = 0.5 * (low_s + high_s);
+        let rises = after(middle_s)[1] > 0.0;
+        *if rises { &mut low_s } else { &mut high_s } = middle_s;
+    }
+    let [q, v, volt] = after(low_s);
+    let rest_s = 2.0 - at_s - low_s;
+    let plain = runge_kutta(under(force_n), [q, v, -inversion * volt], rest_s, 10_000);
+    eprintln!("{end:?} against {plain:?}, extremum at {} s", at_s + low_s);
+    assert!((0..3).all(|i| (end[i] - plain[i]).abs() < 1e-9));
+}
+
 fn shock((time_s, size_s): (f64, f64)) -> Signal {
+    signal("shock", Wave::Impulse { time_s, size_s })
+}
+
+fn signal(name: &str, wave: Wave) -> Signal {
     Signal {
-        name: format!("shock at {time_s}"),
+        name: name.to_owned(),
         shape: vec![1.0],
-        wave: Wave::Impulse { time_s, size_s },
+        wave,
         base: None,
         drawn_from: None,
     }
