@@ -156,7 +156,7 @@ impl Integrator<'_> {
             trial.motion[p] = motion;
             let ends = (trial.y.as_slice(), motion, drive);
             let flight = self.step_from(w, (p, &self.y), level, length_s, ends);
-            let verdict = self.judge_with_others(w, p, &flight, motion[0], 0.0);
+            let verdict = self.judge_with_others(w, p, &flight, motion[0], || 0.0);
             outcome.add(p, verdict);
         }
         outcome

@@ -53,9 +53,9 @@ impl StepOutcome {
 }
 
 impl Integrator<'_> {
-    /// Judges the flight of one port, which the forces of others move by `forced_m`. Distances
-    /// below the roundoff of its displacement cannot be resolved: two bodies that touch far from the
-    /// origin have neither gap nor relative motion as a scale.
+    /// Judges the flight of one port, which the forces of others move by terms of size `forced_m`.
+    /// Distances below the roundoff of its displacement cannot be resolved: two bodies that touch far
+    /// from the origin have neither gap nor relative motion as a scale.
     #[inline(always)]
     pub(crate) fn judge_with_others<W: Simd>(
         &self,
@@ -63,9 +63,9 @@ impl Integrator<'_> {
         p: usize,
         step: &FlightStep,
         displacement_m: f64,
-        forced_m: f64,
+        forced_m: impl Fn() -> f64,
     ) -> FlightVerdict {
-        let roundoff_m = || RESOLVED_UNCERTAINTY * self.terms_m(w, p).max(forced_m);
+        let roundoff_m = || RESOLVED_UNCERTAINTY * self.terms_m(w, p).max(forced_m());
         match self.judge_flight(p, step, displacement_m) {
             FlightVerdict::Unclear(_) if step.uncertainty_m() <= roundoff_m() => {
                 by_interpolant(step, self.leaves_from_rest(p))

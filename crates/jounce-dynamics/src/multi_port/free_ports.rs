@@ -6,7 +6,7 @@ use crate::contact::step::{ContactStep, SolvedStep};
 use crate::flight::crossing::Crossing;
 use crate::flight::forced::{ForcedFlight, rest_bounds};
 use crate::flight::verdict::{FlightVerdict, StepOutcome};
-use crate::flow::state::{add_force_response, dot};
+use crate::flow::state::{add_force_response, dot, dot_of_magnitudes};
 use crate::force_response::basis::NODES;
 use crate::integrator::{Integrator, TrialState};
 use crate::ports::small_list::SmallList;
@@ -129,12 +129,28 @@ impl Integrator<'_> {
             guess_s: 0.0,
             to_s: step.length_s,
         };
-        // The free motion and the motion by the forces may cancel.
-        match self.judge_with_others(w, p, &step, end_m, forced[0].abs()) {
+        let forced_m = || self.forced_terms_m(w, steps, forces, p);
+        match self.judge_with_others(w, p, &step, end_m, forced_m) {
             FlightVerdict::Clear => FlightVerdict::Clear,
             _ if touches => FlightVerdict::Strike(now),
             verdict => verdict,
         }
+    }
+
+    /// Returns the sum of the magnitudes of the terms of the displacement of a port by the forces of
+    /// a step, m. They nearly cancel on a short step, where the displacement is of second order.
+    fn forced_terms_m<W: Simd>(
+        &self,
+        w: W,
+        steps: &[ContactStep],
+        forces: &[F64x8],
+        p: usize,
+    ) -> f64 {
+        let mut forced = TrialState::new(self.kernel);
+        for (step, force) in steps.iter().zip(forces) {
+            self.push_on(w, step, force, &mut forced);
+        }
+        dot_of_magnitudes(w, &self.ports[p].rows.displacement, &forced.y)
     }
 
     /// Returns the state without the values from which fast decays follow the forces: the remainder

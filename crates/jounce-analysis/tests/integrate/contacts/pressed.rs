@@ -2,8 +2,10 @@
 //! displacement.
 
 use super::several_stops::stop;
-use crate::plants::{integrate, kernel, physical, springs};
+use crate::plants::{distance, integrate, kernel, physical, springs};
 use jounce_model::contact::{KelvinVoigt, Law};
+use jounce_model::plant::System;
+use jounce_spec::Spec;
 
 const FREQUENCY_HZ: f64 = 0.5;
 const STIFFNESS_N_M: f64 = 6e9;
@@ -37,4 +39,66 @@ fn a_light_press_takes_no_more_steps_than_its_oscillation() {
     eprintln!("error {error:e}, {periods} periods, {work:?}");
     assert!(error < 1e-4, "{penetration_m:e} {exact_m:e}");
     assert!((work.contact_steps as f64) < 12.0 * periods, "{work:?}");
+}
+
+/// A table that is pressed against a point of a beam, which rests on a stop and is pushed away from
+/// it.
+const PUSHED_OFF: &str = r#"
+[mass.table]
+mass = "2.388 kg"
+frequency = "15.95 Hz"
+damping_ratio = 0.001
+[beam.a]
+material = "silicon"
+length = "189.5 mm"
+width = "38.73 mm"
+thickness = "0.2732 mm"
+[beam.a.point]
+p = "48.97 mm"
+[patch.a]
+on = "a"
+material = "PZT-5H"
+start = "82.54 mm"
+length = "60.52 mm"
+width = "24.74 mm"
+thickness = "0.1711 mm"
+[circuit.c]
+patch = "a"
+resistance = "1 Mohm"
+[stop.pressed]
+at = "table"
+frame = "a.p"
+law = "kelvin-voigt"
+gap = "-0.05071 mm"
+stiffness = "8.064e+08 N/m"
+damping = "96.8 N s/m"
+[stop.left]
+at = "a.p"
+side = "negative"
+law = "hertz"
+gap = "0 mm"
+stiffness = "1.196e+05 N/m^1.5"
+[damping]
+beyond = 0.02
+[reduction]
+modes = 3
+"#;
+
+/// A point that rests on a stop leaves it as one that rests just before it. Its displacement begins
+/// with the square of the time, and the terms of it with the time: each run once ended at its start,
+/// because no step was short enough.
+#[test]
+fn a_point_that_rests_on_a_stop_is_pushed_off_it() {
+    let [touching, near] = ["0 mm", "1e-6 mm"].map(|gap| {
+        let text = PUSHED_OFF.replace("gap = \"0 mm\"", &format!("gap = \"{gap}\""));
+        let spec = Spec::from_toml(&text).unwrap();
+        let modes = jounce_model::structure::modes(&spec).unwrap();
+        let kernel = kernel(System::assemble(&spec, modes).unwrap());
+        let start = vec![0.0; kernel.plant.len()];
+        let end = physical(&integrate(&kernel, &start, 0.0, 2e-3, 1e-9), &kernel);
+        (kernel, end)
+    });
+    let apart = distance(&touching.0, &touching.1, &near.1);
+    eprintln!("{apart:e}");
+    assert!(apart < 1e-9);
 }
