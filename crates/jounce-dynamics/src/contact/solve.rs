@@ -154,7 +154,8 @@ pub(crate) fn judge<W: Simd, L: ContactLaw>(
 ) -> SolvedStep {
     let by_basis = |at: &F64x8| w.sum(w.mul(w.load(at), force));
     let (start, end) = (by_basis(&step.basis.at_start), by_basis(&step.basis.at_end));
-    let deepest_m = largest(w, law, penetration);
+    // All nodes may be off a stop that the step leaves at its start.
+    let deepest_m = largest(w, law, penetration).max(step.start_m.abs());
     let (penetration, rate, mut force) = (w.store(penetration), w.store(rate), w.store(force));
     // Newton's method solves for the nodal forces only.
     let at_end = law.force_n(penetration.0[NODES], rate.0[NODES]);

@@ -25,7 +25,9 @@ pub(crate) struct ContactStep<'a> {
     pub(crate) drive: F64x8,
     /// Contribution of the drive to the velocity.
     pub(crate) drive_rate: F64x8,
-    /// Rate of penetration at the start, m/s.
+    /// Penetration at the start, m.
+    pub(crate) start_m: f64,
+    /// Its rate, m/s.
     pub(crate) start_rate_m_s: f64,
     /// Roundoff of the penetration, m.
     pub(crate) roundoff_m: f64,
@@ -84,6 +86,7 @@ impl<'k> Integrator<'k> {
             shape,
             drive: w.store(drive),
             drive_rate: w.store(drive_rate),
+            start_m: self.ports[port].penetration_m,
             start_rate_m_s: self.ports[port].rate_m_s,
             roundoff_m: self.distance_roundoff_m(port),
         }

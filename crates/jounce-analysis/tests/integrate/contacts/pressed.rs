@@ -3,7 +3,7 @@
 
 use super::several_stops::stop;
 use crate::plants::{distance, integrate, kernel, physical, springs};
-use jounce_model::contact::{KelvinVoigt, Law};
+use jounce_model::contact::{ContactLaw, Hertz, KelvinVoigt, Law};
 use jounce_model::plant::System;
 use jounce_spec::Spec;
 
@@ -101,4 +101,26 @@ fn a_point_that_rests_on_a_stop_is_pushed_off_it() {
     let apart = distance(&touching.0, &touching.1, &near.1);
     eprintln!("{apart:e}");
     assert!(apart < 1e-9);
+}
+
+/// An impulse throws a point off a stop that holds it lightly. Its speed grows by the energy of the
+/// contact, although the run is far longer than the contact, all of whose nodes are off the stop.
+#[test]
+fn a_lightly_pressed_point_that_is_thrown_off_gains_the_energy_of_the_contact() {
+    let (depth_m, speed_m_s, end_s) = (1.3e-7, 0.04, 0.05);
+    let elastic = Hertz {
+        stiffness: 1e8,
+        exponent: 1.5,
+    };
+    let mut system = springs(&[0.0], 0.0);
+    let law = Law::Hertz(elastic);
+    system.stops.push(stop("floor", &[1.0], -depth_m, law));
+    let kernel = kernel(system);
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let end = integrate(&kernel, &[0.0, -speed_m_s], 0.0, end_s, tolerance);
+        let exact_m_s = -(speed_m_s.powi(2) + 2.0 * elastic.energy_j(depth_m)).sqrt();
+        let error = physical(&end, &kernel)[1] / exact_m_s - 1.0;
+        eprintln!("tolerance {tolerance:e}: {error:.1e}, {:?}", end.work());
+        assert!(error.abs() < tolerance);
+    }
 }
