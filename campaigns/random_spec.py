@@ -4,27 +4,6 @@ MATERIALS = ("steel", "aluminium", "brass", "bronze", "silicon")
 CERAMICS = ("PZT-5A", "PZT-5H", "MFC-P2", "PVDF")
 
 
-def spec(draw):
-    """Returns a spec; `draw` is a `random.Random`."""
-    parts, points, patches = [], [], []
-    has_table = draw.random() < 0.5
-    if has_table:
-        parts.append(table(draw))
-        points.append("table")
-    for name in ("a", "b")[: 1 if draw.random() < 0.75 else 2]:
-        parts.append(beam(draw, name, "table" if has_table and draw.random() < 0.8 else "ground", patches))
-        points += [f"{name}.p", f"{name}.end"]
-    if draw.random() < 0.15:
-        parts.append(f'[mass.ball]\non = "nothing"\nmass = "{decades(draw, 1e-5, 1e-2)} kg"\nvelocity = "{draw.uniform(-1, 1):.3g} m/s"\n')
-        points.append("ball")
-    parts += [circuit(draw, index, patch) for index, patch in enumerate(patches)]
-    parts += [stop(draw, index, points) for index in range(draw.choice((0, 1, 1, 1, 2, 2, 3, 4)))]
-    if draw.random() < 0.35:
-        parts.append('[gravity]\nacceleration = "-9.81 m/s^2"\n')
-    parts += [drive(draw, points), settings(draw)]
-    return "\n".join(parts)
-
-
 def decades(draw, low, high):
     """Returns a logarithmically uniform number with four digits."""
     return f"{low * (high / low) ** draw.random():.4g}"
@@ -134,3 +113,24 @@ def settings(draw):
         f'[run]\nduration = "1.5 s"\naverage_over = "{draw.choice((0.5, 1, 1.5))} s"\n'
         f"tolerance = {draw.choice(('1e-3', '1e-5', '1e-7', '1e-7', '1e-9'))}\n"
     )
+
+
+def spec(draw, circuit=circuit, drive=drive, settings=settings):
+    """Returns a spec; `draw` is a `random.Random`. Other functions may draw the circuits, the drives and the settings."""
+    parts, points, patches = [], [], []
+    has_table = draw.random() < 0.5
+    if has_table:
+        parts.append(table(draw))
+        points.append("table")
+    for name in ("a", "b")[: 1 if draw.random() < 0.75 else 2]:
+        parts.append(beam(draw, name, "table" if has_table and draw.random() < 0.8 else "ground", patches))
+        points += [f"{name}.p", f"{name}.end"]
+    if draw.random() < 0.15:
+        parts.append(f'[mass.ball]\non = "nothing"\nmass = "{decades(draw, 1e-5, 1e-2)} kg"\nvelocity = "{draw.uniform(-1, 1):.3g} m/s"\n')
+        points.append("ball")
+    parts += [circuit(draw, index, patch) for index, patch in enumerate(patches)]
+    parts += [stop(draw, index, points) for index in range(draw.choice((0, 1, 1, 1, 2, 2, 3, 4)))]
+    if draw.random() < 0.35:
+        parts.append('[gravity]\nacceleration = "-9.81 m/s^2"\n')
+    parts += [drive(draw, points), settings(draw)]
+    return "\n".join(parts)
