@@ -132,7 +132,7 @@ def vanish(trial, rng, reference, count):
         trial.remount("rw")
     if trial.out.is_file():
         trial.out.unlink()
-    words = ["cannot write", "cannot be used", "missing", "holds no study", "damaged"]
+    words = ["cannot write", "cannot read", "cannot be used", "missing", "holds no study", "damaged"]
     check_message(trial, ends, reference, words)
     if away.is_dir():
         shutil.rmtree(trial.out, ignore_errors=True)
