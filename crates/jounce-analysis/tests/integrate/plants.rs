@@ -6,7 +6,8 @@ use jounce_model::plant::{Plant, System};
 use jounce_model::structure::modes;
 use jounce_spec::Spec;
 
-fn read(text: &str) -> System {
+/// System of a spec.
+pub fn read(text: &str) -> System {
     let spec = Spec::from_toml(text).unwrap();
     System::assemble(&spec, modes(&spec).unwrap()).unwrap()
 }

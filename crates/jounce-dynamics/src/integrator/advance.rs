@@ -116,7 +116,7 @@ impl Task for Advance<'_, '_> {
             integrator.poll()?;
             rounds.count(&integrator.kernel.plant, integrator.time_s)?;
             if integrator.pass_breakpoints(w) {
-                // A jump of the velocity that inverts the current of a patch is an extremum of its charge.
+                // An impulse that inverts the current of a patch makes an extremum of its charge.
                 integrator.switching.pending_event = integrator.crossed_event();
                 continue;
             }
@@ -126,7 +126,7 @@ impl Task for Advance<'_, '_> {
                     #[inline(always)]
                     || integrator.collide(w),
                 )?;
-                // So is an impact that does.
+                // So does an impact.
                 integrator.switching.pending_event = integrator.crossed_event();
             } else if integrator.ports_in(ContactState::Contact).next().is_some() {
                 integrator.contact(w, until_s, &mut rounds, &mut trial)?;

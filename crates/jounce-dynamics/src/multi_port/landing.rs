@@ -11,7 +11,7 @@ use crate::tables::joint::{JointTables, StepLength};
 use crate::tables::step_tables::StepTables;
 use jounce_simd::Simd;
 
-/// Port and its proved crossing.
+/// Port in flight with its crossing.
 type Strike = (usize, Crossing);
 
 /// Largest number of Newton iterations for the time of one impact at which a step ends.
@@ -29,7 +29,7 @@ impl Integrator<'_> {
         &mut self,
         w: W,
         ports: &[(usize, ForceBasis)],
-        strikes: &[(usize, Crossing)],
+        strikes: &[Strike],
         level: i32,
         trial: &mut TrialState,
     ) -> bool {

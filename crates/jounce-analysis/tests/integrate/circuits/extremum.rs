@@ -1,11 +1,11 @@
-//! A switch at an extremum that roundoff places on either side of zero.
+//! A switch closes at an extremum of the charge: within roundoff of it, at an impulse, and after a force
+//! that jumps.
 
 use super::cell::cell;
-use crate::plants::{from_rest, kernel};
+use crate::plants::{from_rest, kernel, read};
 use crate::runge_kutta::runge_kutta;
 use jounce_model::drive::Wave;
-use jounce_model::plant::{RectifierScheme, Signal, Storage, System};
-use jounce_spec::Spec;
+use jounce_model::plant::{RectifierScheme, Signal, Storage};
 
 /// A film on a cantilever that rests against a stiff stop. The time of an extremum of its charge has
 /// roundoff, so that the current may lie on either side of zero there.
@@ -46,9 +46,7 @@ modes = 2
 /// 0.83 s.
 #[test]
 fn a_switch_closes_once_where_roundoff_places_the_current_past_the_next_extremum() {
-    let spec = Spec::from_toml(PRESSED_FILM).unwrap();
-    let modes = jounce_model::structure::modes(&spec).unwrap();
-    let kernel = kernel(System::assemble(&spec, modes).unwrap());
+    let kernel = kernel(read(PRESSED_FILM));
     for tolerance in [1e-6, 1e-7] {
         let energies = from_rest(&kernel, 1.0, tolerance).energies;
         let (switch_j, residual) = (energies.rectified[0].switch_j, energies.residual_relative());

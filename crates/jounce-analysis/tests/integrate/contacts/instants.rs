@@ -1,15 +1,9 @@
 //! Several events at one instant: switches, impacts on several stops, the end of chatter.
 
-use crate::plants::{from_rest, integrate, kernel, physical, relative, springs};
+use crate::plants::{from_rest, integrate, kernel, physical, read, relative, springs};
 use jounce_dynamics::{IntegrationError, Integrator, Kernel};
 use jounce_model::contact::{Law, Rigid};
-use jounce_model::plant::{RectifierScheme, Stop, System};
-use jounce_spec::Spec;
-
-fn spec(text: &str) -> System {
-    let spec = Spec::from_toml(text).unwrap();
-    System::assemble(&spec, jounce_model::structure::modes(&spec).unwrap()).unwrap()
-}
+use jounce_model::plant::{RectifierScheme, Stop};
 
 /// A bimorph under parallel SSHI against a stop, four modes. At 0.1016 s, in contact, the voltage
 /// holds the current at zero from either side. Each time the switch inverts it, the current passes
@@ -65,7 +59,7 @@ modes = 4
 /// tolerances, residuals 9e-11 and 5e-12.
 #[test]
 fn a_switch_that_closes_repeatedly_at_one_instant_does_not_end_the_run() {
-    let kernel = kernel(spec(SWITCHED));
+    let kernel = kernel(read(SWITCHED));
     let [coarse, fine] = [1e-7, 1e-9].map(|tolerance| from_rest(&kernel, 0.11, tolerance));
     let residuals = [&coarse, &fine].map(|result| result.energies.residual_relative());
     let change = relative(coarse.mean_power_w, fine.mean_power_w);
@@ -83,7 +77,7 @@ fn a_switch_that_closes_repeatedly_at_one_instant_does_not_end_the_run() {
 /// A switch without loss inverts the full voltage, and would close without end there.
 #[test]
 fn a_switch_that_never_settles_is_an_error() {
-    let mut system = spec(SWITCHED);
+    let mut system = read(SWITCHED);
     system.bridges[0].scheme = RectifierScheme::ParallelSshi { inversion: 1.0 };
     let kernel = kernel(system);
     let start = jounce_analysis::run::StartState::rest(&kernel.plant);
@@ -208,7 +202,7 @@ fn equal_stops_on_one_motion_share_its_impulse() {
 #[test]
 fn chatter_that_ends_at_rest_balances_its_energy() {
     for restitution in [0.2, 0.5, 0.8] {
-        let mut system = spec(
+        let mut system = read(
             r#"
             [mass.ball]
             on = "nothing"
@@ -274,7 +268,7 @@ modes = 1
 /// first one. A ball past its table by more than the height of a hop would sink through it.
 #[test]
 fn a_ball_does_not_sink_through_its_table() {
-    let system = spec(BALL_ON_A_TABLE_AT_1_01_G);
+    let system = read(BALL_ON_A_TABLE_AT_1_01_G);
     let kernel = kernel(system);
     for tolerance in [1e-8, 1e-10] {
         let mut integrator = Integrator::new(

@@ -1,11 +1,8 @@
-//! A mass pressed lightly onto a very stiff stop: its penetration is near the roundoff of its
-//! displacement.
+//! Points that are pressed onto a stop, lightly or from the other side, and points that leave it.
 
 use super::several_stops::stop;
-use crate::plants::{distance, integrate, kernel, physical, springs};
+use crate::plants::{distance, integrate, kernel, physical, read, springs};
 use jounce_model::contact::{ContactLaw, Hertz, KelvinVoigt, Law};
-use jounce_model::plant::System;
-use jounce_spec::Spec;
 
 const FREQUENCY_HZ: f64 = 0.5;
 const STIFFNESS_N_M: f64 = 6e9;
@@ -85,15 +82,13 @@ modes = 3
 "#;
 
 /// A point that rests on a stop leaves it as one that rests just before it. Its displacement begins
-/// with the square of the time, and the terms of it with the time: each run once ended at its start,
-/// because no step was short enough.
+/// with the square of the time, and its terms with the time. Each run once ended at its start, because
+/// no step was short enough.
 #[test]
 fn a_point_that_rests_on_a_stop_is_pushed_off_it() {
     let [touching, near] = ["0 mm", "1e-6 mm"].map(|gap| {
         let text = PUSHED_OFF.replace("gap = \"0 mm\"", &format!("gap = \"{gap}\""));
-        let spec = Spec::from_toml(&text).unwrap();
-        let modes = jounce_model::structure::modes(&spec).unwrap();
-        let kernel = kernel(System::assemble(&spec, modes).unwrap());
+        let kernel = kernel(read(&text));
         let start = vec![0.0; kernel.plant.len()];
         let end = physical(&integrate(&kernel, &start, 0.0, 2e-3, 1e-9), &kernel);
         (kernel, end)
@@ -103,10 +98,10 @@ fn a_point_that_rests_on_a_stop_is_pushed_off_it() {
     assert!(apart < 1e-9);
 }
 
-/// An impulse throws a point off a stop that holds it lightly. Its speed grows by the energy of the
-/// contact, although the run is far longer than the contact, all of whose nodes are off the stop.
+/// A point moves off a stop that presses it lightly. It gains the energy of the contact, although the
+/// first step may be so long that all of its nodes are off the stop.
 #[test]
-fn a_lightly_pressed_point_that_is_thrown_off_gains_the_energy_of_the_contact() {
+fn a_point_that_moves_off_its_stop_gains_the_energy_of_the_contact() {
     let (depth_m, speed_m_s, end_s) = (1.3e-7, 0.04, 0.05);
     let elastic = Hertz {
         stiffness: 1e8,
